@@ -1,0 +1,33 @@
+# Flags of every target. Exact predicates need strict IEEE arithmetic, hence no fused
+# multiply-add behind our back and never -ffast-math.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O3")  # without NDEBUG: nothing here hides behind assert
+
+add_compile_options(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor
+  -Wold-style-cast -Wcast-align -Woverloaded-virtual -ffp-contract=off)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # GCC 12 reports overlapping copies inside std::string that are not there (GCC bug 105651).
+  add_compile_options(-Wno-restrict)
+else()
+  add_compile_options(-Wno-missing-braces)
+endif()
+add_compile_options(-Wno-sign-conversion)  # indices are unsigned by type, arrays by size_t
+if(HEXATLAS_WERROR)
+  add_compile_options(-Werror)
+endif()
+if(HEXATLAS_CHECKED)
+  add_compile_definitions(HEXATLAS_CHECKED=1)
+endif()
+if(HEXATLAS_SANITIZE)
+  add_compile_options(-fsanitize=${HEXATLAS_SANITIZE} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${HEXATLAS_SANITIZE})
+  if(HEXATLAS_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link)
+  endif()
+endif()

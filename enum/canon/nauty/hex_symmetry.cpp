@@ -1,0 +1,144 @@
+// _Thread_local is C; C++ code spells it differently.
+#define _Thread_local __thread  // NOLINT(bugprone-reserved-identifier)
+#include <nauty/nauty.h>
+#include <nauty/nausparse.h>
+
+#include "enum/canon/nauty/hex_symmetry.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "enum/cells/cube.hpp"
+#include "enum/complex/facets.hpp"
+#include "enum/core/checks.hpp"
+
+namespace hexatlas::canon {
+namespace {
+
+static_assert(HAVE_TLS, "nauty must be built with thread-local storage");
+
+/// An undirected graph whose nodes come in colour classes of consecutive numbers.
+struct ColouredGraph {
+  std::vector<std::size_t> class_sizes;
+  std::vector<std::vector<int>> neighbours;
+
+  explicit ColouredGraph(std::vector<std::size_t> sizes) : class_sizes(std::move(sizes)) {
+    std::size_t nodes = 0;
+    for (const std::size_t size : class_sizes) nodes += size;
+    neighbours.resize(nodes);
+  }
+  void join(std::size_t a, std::size_t b) {
+    neighbours[a].push_back(static_cast<int>(b));
+    neighbours[b].push_back(static_cast<int>(a));
+  }
+};
+
+/// nauty gives the order of the group as a product of orbit sizes, one per level of its search;
+/// it passes no user pointer, hence the thread-local product.
+thread_local std::uint64_t group_order = 1;
+thread_local bool group_order_overflows = false;
+
+// nauty calls this once per level with the size of the orbit of the fixed point there.
+void multiply_orbit(int* /*lab*/, int* /*ptn*/, int /*level*/, int* /*orbits*/,
+                    statsblk* /*stats*/, int /*tv*/, int index, int /*tcellsize*/,
+                    int /*numcells*/, int /*childcount*/, int /*n*/) {
+  const auto factor = static_cast<std::uint64_t>(index);
+  if (group_order > std::numeric_limits<std::uint64_t>::max() / factor)
+    group_order_overflows = true;
+  else
+    group_order *= factor;
+}
+
+class SparseGraph {
+ public:
+  explicit SparseGraph(const ColouredGraph& coloured) {
+    SG_INIT(graph_);
+    std::size_t ends = 0;
+    for (const auto& row : coloured.neighbours) ends += row.size();
+    SG_ALLOC(graph_, coloured.neighbours.size(), ends, "out of memory");
+    graph_.nv = static_cast<int>(coloured.neighbours.size());
+    graph_.nde = ends;
+    std::size_t at = 0;
+    for (std::size_t v = 0; v < coloured.neighbours.size(); ++v) {
+      graph_.v[v] = at;
+      graph_.d[v] = static_cast<int>(coloured.neighbours[v].size());
+      for (const int w : coloured.neighbours[v]) graph_.e[at++] = w;
+    }
+  }
+  SparseGraph() { SG_INIT(graph_); }
+  SparseGraph(const SparseGraph&) = delete;
+  SparseGraph& operator=(const SparseGraph&) = delete;
+  ~SparseGraph() { SG_FREE(graph_); }
+  sparsegraph* get() noexcept { return &graph_; }
+
+ private:
+  sparsegraph graph_{};
+};
+
+GraphForm canonical(const ColouredGraph& coloured) {
+  const std::size_t nodes = coloured.neighbours.size();
+  std::vector<int> lab(nodes), ptn(nodes, 1), orbits(nodes);
+  for (std::size_t i = 0; i < nodes; ++i) lab[i] = static_cast<int>(i);
+  std::size_t end = 0;
+  for (const std::size_t size : coloured.class_sizes) {
+    end += size;
+    if (size > 0) ptn[end - 1] = 0;
+  }
+  static DEFAULTOPTIONS_SPARSEGRAPH(defaults);
+  optionblk options = defaults;
+  options.getcanon = TRUE;
+  options.defaultptn = FALSE;
+  options.userlevelproc = multiply_orbit;
+  statsblk stats{};
+  SparseGraph input(coloured);
+  SparseGraph output;
+  group_order = 1;
+  group_order_overflows = false;
+  sparsenauty(input.get(), lab.data(), ptn.data(), orbits.data(), &options, &stats, output.get());
+  core::ensures(stats.errstatus == 0 && !group_order_overflows,
+                "the group order fits into 64 bits");
+  sortlists_sg(output.get());
+  GraphForm form;
+  form.automorphisms = group_order;
+  form.certificate.assign(coloured.class_sizes.begin(), coloured.class_sizes.end());
+  const sparsegraph& canon = *output.get();
+  for (std::size_t v = 0; v < nodes; ++v) {
+    form.certificate.push_back(static_cast<std::uint64_t>(canon.d[v]));
+    for (int i = 0; i < canon.d[v]; ++i)
+      form.certificate.push_back(
+          static_cast<std::uint64_t>(canon.e[canon.v[v] + static_cast<std::size_t>(i)]));
+  }
+  return form;
+}
+
+}  // namespace
+
+GraphForm graph_form(const complex::HexComplex& mesh) {
+  const std::vector<complex::Facet> facets = complex::sorted_facets(mesh);
+  std::size_t quads = 0;
+  for (std::size_t i = 0; i < facets.size(); ++i)
+    if (i == 0 || facets[i].key != facets[i - 1].key) ++quads;
+  ColouredGraph incidence({mesh.vertices, quads, mesh.hexahedra.size()});
+  std::size_t quad = mesh.vertices;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const bool is_new = i == 0 || facets[i].key != facets[i - 1].key;
+    if (i > 0 && is_new) ++quad;
+    if (is_new)
+      for (const complex::VertexId v : facets[i].key) incidence.join(v, quad);
+    incidence.join(quad, mesh.vertices + quads + facets[i].cell);
+  }
+  return canonical(incidence);
+}
+
+GraphForm graph_form(const complex::Quadrangulation& q) {
+  const auto vertices = static_cast<std::size_t>(q.vertices());
+  ColouredGraph incidence({vertices});
+  for (int i = 0; i < q.darts(); ++i) {
+    const auto d = static_cast<complex::Dart>(i);
+    if (d < q.twin(d)) incidence.join(q.origin(d), q.origin(q.twin(d)));
+  }
+  return canonical(incidence);
+}
+
+}  // namespace hexatlas::canon

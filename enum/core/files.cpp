@@ -1,0 +1,114 @@
+#include "enum/core/files.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+#include "enum/core/errors.hpp"
+
+namespace hexatlas::core {
+namespace {
+
+std::string system_message() { return std::strerror(errno); }
+
+/// Owns a file descriptor; closes it at the end of the scope.
+class Descriptor {
+ public:
+  explicit Descriptor(int value) noexcept : value_(value) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (value_ > STDERR_FILENO) ::close(value_);
+  }
+  [[nodiscard]] int get() const noexcept { return value_; }
+
+ private:
+  int value_;
+};
+
+std::string read_all(int fd, const std::string& name) {
+  std::string bytes;
+  std::vector<char> buffer(std::size_t{1} << 16U);
+  while (true) {
+    const ssize_t got = ::read(fd, buffer.data(), buffer.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw InvalidInput(name, "cannot be read: " + system_message());
+    if (got == 0) return bytes;
+    bytes.append(buffer.data(), static_cast<std::size_t>(got));
+    if (bytes.size() > kMaxFileBytes) throw InvalidInput(name, "is larger than 4 GiB");
+  }
+}
+
+void write_all(int fd, std::string_view bytes, const std::string& name) {
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(fd, bytes.data(), bytes.size());
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) throw ResourceFailure(name + ": cannot be written: " + system_message());
+    bytes.remove_prefix(static_cast<std::size_t>(put));
+  }
+}
+
+void flush_folder(const std::filesystem::path& folder) {
+  const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (fd.get() >= 0) ::fsync(fd.get());
+}
+
+void replace_file(const std::filesystem::path& target, std::string_view bytes) {
+  const std::filesystem::path folder =
+      target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
+  std::string temporary = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
+  const Descriptor fd(::mkostemp(temporary.data(), O_CLOEXEC));
+  if (fd.get() < 0)
+    throw InvalidInput(target.string(), "cannot be created: " + system_message());
+  try {
+    write_all(fd.get(), bytes, target.string());
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    if (::fchmod(fd.get(), 0666 & ~mask) != 0 || ::fsync(fd.get()) != 0)
+      throw ResourceFailure(target.string() + ": cannot be written: " + system_message());
+    if (::rename(temporary.c_str(), target.c_str()) != 0)
+      throw InvalidInput(target.string(), "cannot be replaced: " + system_message());
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+  flush_folder(folder);
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) {
+  if (path == "-") return read_all(STDIN_FILENO, "standard input");
+  const Descriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (fd.get() < 0) throw InvalidInput(path, "cannot be opened: " + system_message());
+  struct stat status {};
+  if (::fstat(fd.get(), &status) != 0)
+    throw InvalidInput(path, "cannot be read: " + system_message());
+  if (S_ISDIR(status.st_mode)) throw InvalidInput(path, "is a directory");
+  return read_all(fd.get(), path);
+}
+
+void write_file(const std::string& path, std::string_view bytes) {
+  if (path == "-") return write_all(STDOUT_FILENO, bytes, "standard output");
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return replace_file(path, bytes);
+  if (S_ISDIR(status.st_mode)) throw InvalidInput(path, "is a directory");
+  if (S_ISREG(status.st_mode)) {
+    if (::access(path.c_str(), W_OK) != 0)
+      throw InvalidInput(path, "cannot be written: " + system_message());
+    return replace_file(std::filesystem::canonical(path), bytes);
+  }
+  const Descriptor fd(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (fd.get() < 0) throw InvalidInput(path, "cannot be opened: " + system_message());
+  write_all(fd.get(), bytes, path);
+}
+
+}  // namespace hexatlas::core

@@ -1,0 +1,26 @@
+#pragma once
+/// \file
+/// Whole files in, whole files out.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace hexatlas::core {
+
+/// The largest file read into memory.
+inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{4} << 30U;
+
+/// The bytes of a regular file, or of standard input for "-".
+/// Throws InvalidInput (missing, a directory, not readable, larger than kMaxFileBytes).
+[[nodiscard]] std::string read_file(const std::string& path);
+
+/// Replaces `path` by a file with these bytes, or leaves what was there: the bytes go to
+/// a temporary file in the same folder, which is flushed to disk and then renamed; "-" is
+/// standard output. An existing device or pipe is written in place, since renaming would
+/// replace it.
+/// Throws InvalidInput if the file cannot be created (no such folder, no permission, a
+/// directory), ResourceFailure if writing fails later (disk full).
+void write_file(const std::string& path, std::string_view bytes);
+
+}  // namespace hexatlas::core

@@ -1,0 +1,150 @@
+#include "enum/flips/front.hpp"
+
+#include <bit>
+
+#include "enum/core/checks.hpp"
+
+namespace hexatlas::flips {
+namespace {
+
+using complex::Quadrangulation;
+using complex::QuadVertices;
+using complex::Vertex;
+
+VertexSet set_of(const QuadVertices& vertices) noexcept {
+  VertexSet result = 0;
+  for (const Vertex v : vertices)
+    if (v != kNewVertex) result |= bit(v);
+  return result;
+}
+
+/// For each corner of the bottom and of the top the vertices that share a consumed quad with it.
+struct PatchRelation {
+  std::array<VertexSet, 4> bottom{}, top{};
+};
+
+PatchRelation patch_relation(Flip flip, const Prism& prism) noexcept {
+  PatchRelation result;
+  result.bottom.fill(set_of(prism.bottom));
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (!flip.has(static_cast<unsigned>(i))) continue;
+    const std::size_t j = (i + 1) % 4;
+    const VertexSet side = set_of({prism.bottom[i], prism.bottom[j], prism.top[j], prism.top[i]});
+    for (const std::size_t k : {i, j}) {
+      result.bottom[k] |= side;
+      result.top[k] |= side;
+    }
+  }
+  return result;
+}
+
+VertexSet image(VertexSet set, const std::array<Vertex, complex::kMaxVertices>& number) noexcept {
+  VertexSet result = 0;
+  for (; set != 0; set &= set - 1) {
+    const Vertex v = number[static_cast<std::size_t>(std::countr_zero(set))];
+    if (v != kNewVertex) result |= bit(v);
+  }
+  return result;
+}
+
+}  // namespace
+
+Relation relation_of_quads(const Quadrangulation& q) {
+  core::expects(q.quads() <= kMaxFrontQuads, "a front has at most 62 quads");
+  Relation related{};
+  for (int i = 0; i < q.quads(); ++i) {
+    const QuadVertices quad = q.vertices_of(i);
+    const VertexSet set = set_of(quad);
+    for (const Vertex v : quad) related[v] |= set;
+  }
+  return related;
+}
+
+Front single_hexahedron() {
+  const Quadrangulation cube = Quadrangulation::cube();
+  Front front{.boundary = cube};
+  for (int v = 0; v < cube.vertices(); ++v) front.related[static_cast<std::size_t>(v)] = 0xFF;
+  return front;
+}
+
+bool may_glue(const Front& front, Flip flip, const Prism& prism) noexcept {
+  const VertexSet all = set_of(prism.bottom) | set_of(prism.top);
+  const PatchRelation patch = patch_relation(flip, prism);
+  for (std::size_t i = 0; i < 4; ++i) {
+    if ((front.related[prism.bottom[i]] & all) != patch.bottom[i]) return false;
+    const Vertex top = prism.top[i];
+    if (top != kNewVertex && (front.related[top] & all) != patch.top[i]) return false;
+  }
+  return true;
+}
+
+Glued glued(const Front& front, Flip flip, const Prism& prism) {
+  Glued result{.front = {}, .flipped = flipped(front.boundary, flip, prism)};
+  const Flipped& made = result.flipped;
+  result.front.boundary = made.quadrangulation;
+  const int vertices = made.quadrangulation.vertices();
+  core::expects(made.quadrangulation.quads() <= kMaxFrontQuads, "a front has at most 62 quads");
+
+  std::array<Vertex, complex::kMaxVertices> number{};
+  number.fill(kNewVertex);
+  for (int v = 0; v < vertices; ++v) {
+    const Vertex former = made.former[static_cast<std::size_t>(v)];
+    if (former != kNewVertex) number[former] = static_cast<Vertex>(v);
+  }
+  VertexSet hexahedron = set_of(made.top);
+  for (const Vertex b : prism.bottom)
+    if (number[b] != kNewVertex) hexahedron |= bit(number[b]);
+  for (int v = 0; v < vertices; ++v) {
+    const Vertex former = made.former[static_cast<std::size_t>(v)];
+    VertexSet set = former == kNewVertex ? 0 : image(front.related[former], number);
+    if ((hexahedron & bit(static_cast<Vertex>(v))) != 0) set |= hexahedron;
+    result.front.related[static_cast<std::size_t>(v)] = set;
+  }
+  return result;
+}
+
+Shelling::Shelling() {
+  Step first{.front = single_hexahedron()};
+  first.vertices = 8;
+  Cell cell{};
+  for (std::uint16_t v = 0; v < 8; ++v) cell[v] = first.label[v] = v;
+  steps_.push_back(first);
+  cells_.push_back(cell);
+}
+
+std::optional<Flip> Shelling::push(Flip flip) {
+  const Step& before = steps_.back();
+  const Quadrangulation& boundary = before.front.boundary;
+  const int after = boundary.quads() + 6 - 2 * flip.consumed();
+  if (flip.bottom >= boundary.quads() || after < 6 || after > kMaxFrontQuads) return std::nullopt;
+  const auto prism = prism_of(boundary, flip);
+  if (!prism || !may_glue(before.front, flip, *prism)) return std::nullopt;
+
+  Glued result = glued(before.front, flip, *prism);
+  Step step{.front = result.front};
+  step.vertices = before.vertices;
+  for (int v = 0; v < result.front.boundary.vertices(); ++v) {
+    const auto at = static_cast<std::size_t>(v);
+    const Vertex former = result.flipped.former[at];
+    step.label[at] = former != kNewVertex ? before.label[former]
+                                          : static_cast<std::uint16_t>(step.vertices++);
+  }
+  // The prism convention wants the hexahedron below its bottom quad; here it stands on it, so
+  // the new quad on top, which faces outwards, takes the place of the bottom.
+  Cell cell{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    cell[cells::kCornerOfPrism[i]] = step.label[result.flipped.top[i]];
+    cell[cells::kCornerOfPrism[4 + i]] = before.label[prism->bottom[i]];
+  }
+  steps_.push_back(step);
+  cells_.push_back(cell);
+  return result.flipped.inverse;
+}
+
+void Shelling::pop() {
+  core::expects(steps_.size() > 1, "the first hexahedron stays");
+  steps_.pop_back();
+  cells_.pop_back();
+}
+
+}  // namespace hexatlas::flips

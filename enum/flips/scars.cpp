@@ -1,0 +1,78 @@
+#include "enum/flips/scars.hpp"
+
+#include "enum/core/checks.hpp"
+
+namespace hexatlas::flips {
+namespace {
+
+using complex::Quadrangulation;
+using complex::Vertex;
+
+Scars scars_of(const Front& front, const Relation& quads, const canon::Labelling& label) noexcept {
+  Scars scars;
+  for (int v = 0; v < front.boundary.vertices(); ++v) {
+    const auto a = static_cast<Vertex>(v);
+    VertexSet later = front.related[a] & ~quads[a] & ~(bit(a) - 1);
+    for (; later != 0; later &= later - 1)
+      scars.add(label[a], label[static_cast<std::size_t>(std::countr_zero(later))]);
+  }
+  return scars;
+}
+
+}  // namespace
+
+Scars Scars::renamed(const canon::Labelling& label) const noexcept {
+  Scars result;
+  for (std::size_t high = 1; high < kMaxSearchQuads + 2; ++high)
+    for (std::size_t low = 0; low < high; ++low) {
+      const auto a = static_cast<Vertex>(low);
+      const auto b = static_cast<Vertex>(high);
+      if (has(a, b)) result.add(label[a], label[b]);
+    }
+  return result;
+}
+
+std::uint64_t Scars::hash(std::uint64_t seed) const noexcept {
+  std::uint64_t h = seed;
+  for (const std::uint64_t word : words_) {
+    h = (h ^ word) * 0x9E3779B97F4A7C15ULL;
+    h ^= h >> 32U;
+  }
+  return h;
+}
+
+CanonicalState canonical_state(const Front& front) {
+  core::expects(front.boundary.quads() <= kMaxSearchQuads, "a state has at most 24 quads");
+  canon::CanonicalFlags flags;
+  canon::canonical_flags(front.boundary, flags);
+  const Relation quads = relation_of_quads(front.boundary);
+  CanonicalState result;
+  result.state.code = flags.code;
+  for (int i = 0; i < flags.count; ++i) {
+    const canon::Flag flag = flags.flags[static_cast<std::size_t>(i)];
+    const canon::Labelling label = canon::labelling_from(front.boundary, flag);
+    const Scars scars = scars_of(front, quads, label);
+    if (i > 0 && !(scars < result.state.scars)) continue;
+    result.state.scars = scars;
+    result.label = label;
+    result.is_mirrored = flag.mirrored;
+  }
+  return result;
+}
+
+Front front_of(const State& state) {
+  const auto boundary = canon::decode(state.code);
+  core::expects(boundary.has_value(), "the code of a state can be decoded");
+  Front front{.boundary = *boundary, .related = relation_of_quads(*boundary)};
+  for (int high = 1; high < boundary->vertices(); ++high)
+    for (int low = 0; low < high; ++low) {
+      const auto a = static_cast<Vertex>(low);
+      const auto b = static_cast<Vertex>(high);
+      if (!state.scars.has(a, b)) continue;
+      front.related[a] |= bit(b);
+      front.related[b] |= bit(a);
+    }
+  return front;
+}
+
+}  // namespace hexatlas::flips

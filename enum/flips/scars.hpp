@@ -1,0 +1,81 @@
+#pragma once
+/// \file
+/// Scars of a front in canonical labels: the related pairs of boundary vertices that lie in no
+/// boundary quad. With the canonical code of the boundary they are all that decides what may be
+/// glued on (docs/theory/proofs/front.md), so a state of a search is a code and its scars.
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "enum/canon/code.hpp"
+#include "enum/flips/front.hpp"
+
+namespace hexatlas::flips {
+
+/// Boundaries in searches have at most 24 quads, so that the pairs of their 26 vertices fit
+/// into six words.
+inline constexpr int kMaxSearchQuads = 24;
+
+class Scars {
+ public:
+  void add(complex::Vertex a, complex::Vertex b) noexcept {
+    const std::size_t i = index(a, b);
+    words_[i / 64] |= std::uint64_t{1} << (i % 64);
+  }
+  [[nodiscard]] bool has(complex::Vertex a, complex::Vertex b) const noexcept {
+    const std::size_t i = index(a, b);
+    return (words_[i / 64] >> (i % 64) & 1U) != 0;
+  }
+  [[nodiscard]] int size() const noexcept {
+    int count = 0;
+    for (const std::uint64_t word : words_) count += std::popcount(word);
+    return count;
+  }
+  [[nodiscard]] bool is_subset_of(const Scars& other) const noexcept {
+    std::uint64_t missing = 0;
+    for (std::size_t i = 0; i < words_.size(); ++i) missing |= words_[i] & ~other.words_[i];
+    return missing == 0;
+  }
+  [[nodiscard]] bool is_disjoint_from(const Scars& other) const noexcept {
+    std::uint64_t common = 0;
+    for (std::size_t i = 0; i < words_.size(); ++i) common |= words_[i] & other.words_[i];
+    return common == 0;
+  }
+  /// The scars after renaming the vertices.
+  [[nodiscard]] Scars renamed(const canon::Labelling& label) const noexcept;
+  [[nodiscard]] std::uint64_t hash(std::uint64_t seed) const noexcept;
+
+  friend auto operator<=>(const Scars&, const Scars&) = default;
+
+ private:
+  [[nodiscard]] static constexpr std::size_t index(complex::Vertex a, complex::Vertex b) noexcept {
+    const std::size_t low = a < b ? a : b;
+    const std::size_t high = a < b ? b : a;
+    return high * (high - 1) / 2 + low;
+  }
+  std::array<std::uint64_t, 6> words_{};
+};
+
+/// A front up to isomorphism. Equal states permit the same further hexahedra.
+struct State {
+  canon::Code code;
+  Scars scars;
+  friend auto operator<=>(const State&, const State&) = default;
+};
+
+/// The state of a front, with the labelling that yields it: of all labellings that attain the
+/// code, the one with the least scars. Requires at most kMaxSearchQuads quads.
+struct CanonicalState {
+  State state;
+  canon::Labelling label{};
+  bool is_mirrored = false;
+};
+[[nodiscard]] CanonicalState canonical_state(const Front& front);
+
+/// The front of a state, its boundary being the canonical list of quads.
+/// Requires that the code can be decoded.
+[[nodiscard]] Front front_of(const State& state);
+
+}  // namespace hexatlas::flips

@@ -1,0 +1,79 @@
+#include "enum/parallel/parallel_for.hpp"
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+#include <sched.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "enum/core/checks.hpp"
+
+namespace hexatlas::parallel {
+namespace {
+
+/// Keeps the exception of the smallest index.
+class FirstException {
+ public:
+  void guard(std::size_t index, const std::function<void(std::size_t)>& body) {
+    try {
+      body(index);
+    } catch (...) {  // kept, and thrown again by rethrow()
+      const std::lock_guard lock(mutex_);
+      if (index < index_) {
+        index_ = index;
+        exception_ = std::current_exception();
+      }
+    }
+  }
+  void rethrow() const {
+    if (exception_) std::rethrow_exception(exception_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::size_t index_ = std::numeric_limits<std::size_t>::max();
+  std::exception_ptr exception_;
+};
+
+void run(int threads, std::size_t count, FirstException& first,
+         const std::function<void(std::size_t)>& body) {
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+  for (std::size_t i = 0; i < count; ++i) first.guard(i, body);
+#else
+  std::atomic<std::size_t> next{0};
+  std::vector<std::jthread> pool;
+  for (int t = 0; t < threads; ++t)
+    pool.emplace_back([&] {
+      for (std::size_t i = next++; i < count; i = next++) first.guard(i, body);
+    });
+#endif
+}
+
+}  // namespace
+
+int available_threads() noexcept {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  if (::sched_getaffinity(0, sizeof set, &set) != 0) return 1;
+  return std::max(1, CPU_COUNT(&set));
+}
+
+void parallel_for(int threads, std::size_t count, const std::function<void(std::size_t)>& body) {
+  core::expects(threads >= 1, "at least one thread");
+  FirstException first;
+  if (threads == 1)
+    for (std::size_t i = 0; i < count; ++i) first.guard(i, body);
+  else
+    run(threads, count, first, body);
+  first.rethrow();
+}
+
+}  // namespace hexatlas::parallel

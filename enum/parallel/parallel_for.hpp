@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// The one way to use several threads. Two back ends, chosen when building: OpenMP, and
+/// standard threads for builds under a race detector (docs/architecture/decisions/0005).
+
+#include <cstddef>
+#include <functional>
+
+namespace hexatlas::parallel {
+
+/// Number of processors this process may use; at least 1.
+[[nodiscard]] int available_threads() noexcept;
+
+/// Calls body(i) once for each i in [0, count), on at most `threads` threads, in any order.
+/// Returns when all calls have returned. If calls throw, the exception of the smallest such
+/// i is thrown again and every other i is still called. With threads == 1 the calls are made
+/// in order on the calling thread. Requires threads >= 1.
+/// The caller sees to it that results do not depend on the order: one slot per i.
+void parallel_for(int threads, std::size_t count, const std::function<void(std::size_t)>& body);
+
+}  // namespace hexatlas::parallel

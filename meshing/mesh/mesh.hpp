@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// Meshes with coordinates: points and lists of cells. No connectivity is stored; the laws of
+/// a surface are checked by enum/complex.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace hexatlas::mesh {
+
+struct Point {
+  double x = 0, y = 0, z = 0;
+  friend bool operator==(const Point&, const Point&) = default;
+};
+
+using Index = std::uint32_t;  ///< of a point, from 0
+
+/// Quads as read from a file: any orientation, any topology, each index below points.size().
+struct SurfaceMesh {
+  std::vector<Point> points;
+  std::vector<std::array<Index, 4>> quads;  ///< cyclic order
+  std::vector<std::uint32_t> quad_line;     ///< line of the file, 0: unknown; one per quad
+};
+
+/// Hexahedra in the numbering of enum/cells/cube.hpp: vertex x + 2y + 4z.
+struct HexMesh {
+  std::vector<Point> points;
+  std::vector<std::array<Index, 8>> hexahedra;
+};
+
+}  // namespace hexatlas::mesh

@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""Fails if a file includes a layer, or a third-party library, its own layer may not.
+
+The only source of truth is docs/architecture/layers.txt, which lists layers so
+that each may include only layers above it: the order in the file is the proof
+that the arrows have no cycle. "*" means every layer; no layer may list one that
+has "*", so programs and tests are included by nothing.
+usage: check_layers.py REPOSITORY_ROOT
+"""
+import pathlib
+import re
+import sys
+
+OURS = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
+SYSTEM = re.compile(r'^\s*#\s*include\s*<([^>]+)>')
+SUFFIXES = {".hpp", ".cpp"}
+THIRD_PARTY = {"nauty": r"nauty|naugroup|nausparse|gtools|traces", "omp": r"omp\.h", "mpi": r"mpi\.h",
+               "gmp": r"gmp", "CGAL": r"CGAL/", "z3": r"z3", "Eigen": r"Eigen/", "cadical": r"cadical|ccadical",
+               "sqlite": r"sqlite3", "zstd": r"zstd", "zlib": r"zlib\.h", "pugixml": r"pugixml", "openssl": r"openssl/",
+               "json": r"nlohmann/", "cli11": r"CLI/", "fmt": r"fmt/",
+               "spdlog": r"spdlog/", "pybind": r"pybind11/|nanobind/|Python\.h", "gtest": r"g(test|mock)/",
+               "rapidcheck": r"rapidcheck", "benchmark": r"benchmark/"}
+
+
+def read_layers(path):
+    rows = (line.split("|") for line in path.read_text().splitlines() if line.strip() and line[0] != "#")
+    return {name.strip(): (set(ours.split()), set(theirs.split())) for name, ours, theirs in rows}
+
+
+def disorder(layers):
+    above = set()
+    for name, (may_include, may_use) in layers.items():
+        for target in sorted(may_include - above - {"*"}):
+            yield f"layers.txt: {name} lists {target}, which is not above it"
+        for target in sorted(t for t in may_include & above if "*" in layers[t][0]):
+            yield f"layers.txt: {name} lists {target}, which is a program"
+        for library in sorted(may_use - THIRD_PARTY.keys()):
+            yield f"layers.txt: {name} uses {library}, which check_layers.py does not know"
+        above.add(name)
+
+
+def layer_of(path, layers):
+    """Longest layer name that is a path prefix, or None."""
+    owners = [name for name in layers if path == name or path.startswith(name + "/")]
+    return max(owners, key=len, default=None)
+
+
+def sources(root, layers):
+    """C++ files below the top-level folders of layers.txt; build trees lie elsewhere."""
+    tops = sorted({name.split("/")[0] for name in layers})
+    return [p for top in tops for p in sorted((root / top).rglob("*")) if p.suffix in SUFFIXES]
+
+
+def violations(root, layers):
+    for file in sources(root, layers):
+        name = file.relative_to(root).as_posix()
+        layer = layer_of(name, layers)
+        if layer is None:
+            yield f"{name}:1: file belongs to no layer"
+            continue
+        may_include, may_use = layers[layer]
+        for number, line in enumerate(file.read_text().splitlines(), start=1):
+            if ours := OURS.match(line):
+                target = layer_of(ours[1], layers)
+                if target is None:
+                    yield f'{name}:{number}: "{ours[1]}" is not a path from the repository root'
+                elif target == layer or target in may_include:
+                    continue
+                elif "*" not in may_include or "*" in layers[target][0]:
+                    yield f"{name}:{number}: {layer} must not include {target}"
+            elif system := SYSTEM.match(line):
+                for library, pattern in THIRD_PARTY.items():
+                    if re.match(pattern, system[1]) and library not in may_use:
+                        yield f"{name}:{number}: {layer} must not use {library}"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    layers = read_layers(root / "docs/architecture/layers.txt")
+    found = list(disorder(layers)) + list(violations(root, layers))
+    if not sources(root, layers):
+        found.append(f"layers: no source file below {root}; a gate that sees nothing proves nothing")
+    print("\n".join(found) or f"layers: no violation in {len(sources(root, layers))} files")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
