@@ -175,8 +175,10 @@ std::optional<Contour> read_contour(const Code& code) {
   first.fill(-1);
   for (int i = 0; i < letters; ++i) {
     c.vertex[i] = here;
-    if (first[here] < 0) first[here] = i;
-    else c.successor[last[here]] = i;
+    if (first[here] < 0)
+      first[here] = i;
+    else
+      c.successor[last[here]] = i;
     last[here] = i;
     const Letter letter = letter_at(code, i);
     if (letter == Letter::down) {
@@ -217,8 +219,7 @@ std::string to_binary(const Code& code) {
   for (int i = 0; i < code.quads; ++i) {
     const auto digit = static_cast<unsigned>(digit_at(code, i));
     auto& byte = result[static_cast<std::size_t>(i / 2)];
-    byte = static_cast<char>(static_cast<unsigned char>(byte) |
-                             (i % 2 == 0 ? digit << 4U : digit));
+    byte = static_cast<char>(static_cast<unsigned char>(byte) | (i % 2 == 0 ? digit << 4U : digit));
   }
   return result;
 }
@@ -229,8 +230,10 @@ std::optional<Code> from_binary(int quads, std::string_view bytes) {
   for (int i = 0; i < 2 * static_cast<int>(bytes.size()); ++i) {
     const auto byte = static_cast<unsigned char>(bytes[static_cast<std::size_t>(i / 2)]);
     const std::uint64_t digit = i % 2 == 0 ? byte >> 4U : byte & 15U;
-    if (i < quads) set_digit(code, i, digit);
-    else if (digit != 0) return std::nullopt;
+    if (i < quads)
+      set_digit(code, i, digit);
+    else if (digit != 0)
+      return std::nullopt;
   }
   return code;
 }
@@ -323,8 +326,7 @@ std::optional<Quadrangulation> decode(const Code& code) {
     ++vertices;
   }
   const auto size = static_cast<std::size_t>(darts);
-  auto result =
-      Quadrangulation::from_darts({origin.data(), size}, {twin.data(), size}, vertices);
+  auto result = Quadrangulation::from_darts({origin.data(), size}, {twin.data(), size}, vertices);
   if (result.validate()) return std::nullopt;
   return result;
 }

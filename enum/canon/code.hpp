@@ -60,10 +60,10 @@ using Labelling = std::array<complex::Vertex, complex::kMaxVertices>;
 
 struct CanonicalForm {
   Code code;
-  Labelling label{};        ///< canonical label of each vertex
-  bool is_mirrored = false; ///< the labelling reverses orientation
-  int automorphisms = 0;    ///< order of the group, mirror symmetries included
-  int rotations = 0;        ///< those that keep the orientation
+  Labelling label{};         ///< canonical label of each vertex
+  bool is_mirrored = false;  ///< the labelling reverses orientation
+  int automorphisms = 0;     ///< order of the group, mirror symmetries included
+  int rotations = 0;         ///< those that keep the orientation
 };
 
 /// The canonical form. Requires a valid quadrangulation (any connectivity, multiple edges

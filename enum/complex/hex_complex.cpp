@@ -99,9 +99,9 @@ std::optional<BrokenLaw> facets_law(const std::vector<Facet>& facets) {
     std::size_t end = i + 1;
     while (end < facets.size() && facets[end].key == facets[i].key) ++end;
     if (end - i > 2)
-      return BrokenLaw{"quad " + name(facets[i].key) + " is in " + std::to_string(end - i) +
-                           " hexahedra",
-                       facets[i + 2].cell};
+      return BrokenLaw{
+          "quad " + name(facets[i].key) + " is in " + std::to_string(end - i) + " hexahedra",
+          facets[i + 2].cell};
     if (end - i == 2 && !are_opposite(facets[i].cycle, facets[i + 1].cycle))
       return BrokenLaw{"hexahedra " + std::to_string(facets[i].cell) + " and " +
                            std::to_string(facets[i + 1].cell) + " are oriented differently",
@@ -159,8 +159,8 @@ std::optional<std::string> link_fault(std::span<const LinkTriangle> link) {
         whole.unite(s, t);
         int common = 0;
         for (const VertexId q : link[s].neighbours)
-          common += static_cast<int>(std::count(link[t].neighbours.begin(),
-                                                link[t].neighbours.end(), q));
+          common +=
+              static_cast<int>(std::count(link[t].neighbours.begin(), link[t].neighbours.end(), q));
         if (common >= 2 && fan.unite(s, t)) --pieces;
       }
     if (pieces != 1) return "is pinched at vertex " + std::to_string(p);
@@ -229,6 +229,7 @@ std::vector<BoundaryQuad> boundary_of(const HexComplex& mesh) {
     return std::pair(a.cell, a.facet) < std::pair(b.cell, b.facet);
   });
   std::vector<BoundaryQuad> result;
+  result.reserve(once.size());
   for (const Facet& facet : once) result.push_back(facet.cycle);
   return result;
 }

@@ -29,9 +29,9 @@ struct HexComplex {
 };
 
 /// The first broken law of: every vertex is below `vertices` and in some hexahedron; the 8
-/// vertices of a hexahedron are distinct; the strict rule; neighbours are oriented alike; the link of
-/// each vertex is a sphere or a disc; the complex is connected; the boundary is one sphere.
-/// Not promised: that the complex is a ball, see shelling_of(). Cost: O(H log H).
+/// vertices of a hexahedron are distinct; the strict rule; neighbours are oriented alike; the link
+/// of each vertex is a sphere or a disc; the complex is connected; the boundary is one sphere. Not
+/// promised: that the complex is a ball, see shelling_of(). Cost: O(H log H).
 [[nodiscard]] std::optional<BrokenLaw> validate(const HexComplex& mesh);
 
 /// The quads in exactly one hexahedron, counter-clockwise from outside if the hexahedra are

@@ -20,15 +20,15 @@ namespace hexatlas::complex {
 
 /// A sphere: quads oriented coherently over vertices that are all used.
 struct QuadSphere {
-  std::vector<BoundaryQuad> quads;       ///< over 0 .. vertices-1, in the order given
-  std::vector<VertexId> point_of;        ///< given point of each vertex, ascending
-  std::size_t reversed = 0;              ///< quads turned over to agree with the majority
+  std::vector<BoundaryQuad> quads;  ///< over 0 .. vertices-1, in the order given
+  std::vector<VertexId> point_of;   ///< given point of each vertex, ascending
+  std::size_t reversed = 0;         ///< quads turned over to agree with the majority
   std::size_t unused_points = 0;
   [[nodiscard]] std::size_t vertices() const noexcept { return point_of.size(); }
 };
 
-/// The sphere, or the first broken law of: at least one quad; four distinct vertices in each; each edge
-/// in exactly two quads; the link of each vertex a circle; connected; orientable; Euler
+/// The sphere, or the first broken law of: at least one quad; four distinct vertices in each; each
+/// edge in exactly two quads; the link of each vertex a circle; connected; orientable; Euler
 /// characteristic 2. Quads that disagree with the majority in orientation are turned over; a tie
 /// goes to the first quad. Requires indices below `points`. Cost: O(n log n).
 [[nodiscard]] std::variant<QuadSphere, BrokenLaw> sphere_of(std::span<const BoundaryQuad> quads,

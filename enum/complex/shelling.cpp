@@ -24,8 +24,8 @@ constexpr std::uint32_t kNone = 0xFFFFFFFF;
 constexpr std::array<unsigned, cells::kCubeFacets> kCornersOfFacet{0x55, 0xAA, 0x33,
                                                                    0xCC, 0x0F, 0xF0};
 
-/// Whether the facets (bit f is facet f) form a disc and the others do too: none or all, an opposite pair
-/// alone and its complement do not.
+/// Whether the facets (bit f is facet f) form a disc and the others do too: none or all, an
+/// opposite pair alone and its complement do not.
 bool is_patch(unsigned facets) noexcept {
   const int size = std::popcount(facets);
   const bool opposite_pair = (facets & (facets >> 1U) & 0b01'01'01U) != 0;
@@ -86,8 +86,8 @@ class Peeler {
       touch_around(c, push);
     }
     if (order.size() + 1 != cells) return std::nullopt;
-    order.push_back(static_cast<std::uint32_t>(
-        std::find(removed_.begin(), removed_.end(), false) - removed_.begin()));
+    order.push_back(static_cast<std::uint32_t>(std::find(removed_.begin(), removed_.end(), false) -
+                                               removed_.begin()));
     return order;
   }
 

@@ -66,8 +66,7 @@ void replace_file(const std::filesystem::path& target, std::string_view bytes) {
       target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
   std::string temporary = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
   const Descriptor fd(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (fd.get() < 0)
-    throw InvalidInput(target.string(), "cannot be created: " + system_message());
+  if (fd.get() < 0) throw InvalidInput(target.string(), "cannot be created: " + system_message());
   try {
     write_all(fd.get(), bytes, target.string());
     const mode_t mask = ::umask(0);

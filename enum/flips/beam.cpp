@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "enum/core/checks.hpp"
 #include "enum/parallel/parallel_for.hpp"
@@ -62,21 +64,22 @@ std::size_t shard_of(const canon::Code& code) noexcept {
 Beam::Beam(const State& start, const BeamOptions& options) : options_(options), shards_(kShards) {
   core::expects(options.max_quads >= 6 && options.max_quads <= kMaxSearchQuads,
                 "boundaries have from 6 to 24 quads");
-  core::expects(options.fronts_per_class >= 1 && options.fronts_per_level >= 1 &&
-                    options.threads >= 1,
-                "limits of a beam are at least 1");
+  core::expects(
+      options.fronts_per_class >= 1 && options.fronts_per_level >= 1 && options.threads >= 1,
+      "limits of a beam are at least 1");
   const std::size_t number = shard_of(start.code);
   Shard& shard = shards_[number];
   shard.class_of.emplace(start.code, 0);
   shard.classes.push_back({.code = start.code, .nodes = {0}});
-  shard.nodes.push_back({start.scars, 0, {}, {}, 0, static_cast<std::uint16_t>(start.scars.size())});
+  shard.nodes.push_back(
+      {start.scars, 0, {}, {}, 0, static_cast<std::uint16_t>(start.scars.size())});
   frontier_.push_back({static_cast<std::uint32_t>(number), 0});
 }
 
 std::size_t Beam::expand_level() {
   ++level_;
   for (Shard& shard : shards_) shard.level_begin = shard.nodes.size();
-  const std::vector<FrontId> parents = std::move(frontier_);
+  const std::vector<FrontId> parents = std::exchange(frontier_, {});
   constexpr std::size_t kBatch = kParentsPerChunk * kChunksPerBatch;
   for (std::size_t begin = 0; begin < parents.size(); begin += kBatch)
     expand_batch(std::span(parents).subspan(begin, std::min(kBatch, parents.size() - begin)));
@@ -93,8 +96,7 @@ void Beam::expand_batch(std::span<const FrontId> batch) {
       const Front front = front_of(state(parent));
       for_each_glueable(front, options_.max_quads, [&](Flip flip, const Prism& prism) {
         const State child = canonical_state(glued(front, flip, prism).front).state;
-        chunks[c].push_back(
-            {child, parent, flip, static_cast<std::uint16_t>(child.scars.size())});
+        chunks[c].push_back({child, parent, flip, static_cast<std::uint16_t>(child.scars.size())});
       });
     }
   });
@@ -147,8 +149,10 @@ void Beam::admit(Shard& shard, const Candidate& candidate) {
       ++i;
       continue;
     }
-    if (slot) shard.nodes[own.nodes[i]].level = 0;  // dead: level 0 is the start alone
-    else slot = own.nodes[i];
+    if (slot)
+      shard.nodes[own.nodes[i]].level = 0;  // dead: level 0 is the start alone
+    else
+      slot = own.nodes[i];
     own.nodes.erase(own.nodes.begin() + static_cast<std::ptrdiff_t>(i));
   }
   if (own.nodes.size() - own.level_begin >= options_.fronts_per_class) {
@@ -156,15 +160,19 @@ void Beam::admit(Shard& shard, const Candidate& candidate) {
     const auto rank_at = [&](std::uint32_t node) {
       return rank(shard.nodes[node].scars, shard.nodes[node].size);
     };
-    const auto worst = std::max_element(
-        own.nodes.begin() + own.level_begin, own.nodes.end(),
-        [&](std::uint32_t a, std::uint32_t b) { return rank_at(a) < rank_at(b); });
+    const auto worst =
+        std::max_element(own.nodes.begin() + own.level_begin, own.nodes.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return rank_at(a) < rank_at(b); });
     if (!(rank(scars, candidate.size) < rank_at(*worst))) return;
     slot = *worst;
     own.nodes.erase(worst);
   }
-  const Shard::Node node{scars,          place->second,  candidate.parent,
-                         candidate.flip, static_cast<std::uint16_t>(level_), candidate.size};
+  const Shard::Node node{scars,
+                         place->second,
+                         candidate.parent,
+                         candidate.flip,
+                         static_cast<std::uint16_t>(level_),
+                         candidate.size};
   if (slot) {
     shard.nodes[*slot] = node;
   } else {

@@ -7,8 +7,8 @@
 /// h holds states reached by h gluings. Within a class a state whose scars contain those of
 /// another one, of the same or a lower level, is dropped: whatever may be glued on it may be
 /// glued on the other (pruning `dominance`, docs/theory/proofs/front.md). Of the rest of one
-/// level at most `fronts_per_class` with the fewest scars are kept, and at most `fronts_per_level` of
-/// those are expanded. If neither limit was ever hit, the search was exhaustive: it saw every
+/// level at most `fronts_per_class` with the fewest scars are kept, and at most `fronts_per_level`
+/// of those are expanded. If neither limit was ever hit, the search was exhaustive: it saw every
 /// boundary that a shelling can reach while its boundaries stay within max_quads, at its least
 /// level.
 ///
@@ -29,13 +29,13 @@
 namespace hexatlas::flips {
 
 struct BeamOptions {
-  int max_quads = 22;                    ///< of any boundary, at most kMaxSearchQuads
-  std::size_t fronts_per_class = 20;     ///< per level
+  int max_quads = 22;                 ///< of any boundary, at most kMaxSearchQuads
+  std::size_t fronts_per_class = 20;  ///< per level
   std::size_t fronts_per_level = 200'000;
-  std::size_t max_fronts = 60'000'000;   ///< in memory, about 90 bytes each
-  std::uint64_t seed = 1;                ///< breaks ties among equally many scars
-  int threads = 1;                       ///< does not change the result
-  bool use_dominance = true;             ///< off only to test the pruning
+  std::size_t max_fronts = 60'000'000;  ///< in memory, about 90 bytes each
+  std::uint64_t seed = 1;               ///< breaks ties among equally many scars
+  int threads = 1;                      ///< does not change the result
+  bool use_dominance = true;            ///< off only to test the pruning
 };
 
 /// A state in a beam. Stable until the beam is destroyed.
@@ -56,6 +56,8 @@ class Beam {
  public:
   /// Level 0 is the start alone. Requires options within their ranges.
   Beam(const State& start, const BeamOptions& options);
+  Beam(const Beam&) = delete;
+  Beam& operator=(const Beam&) = delete;
   Beam(Beam&&) noexcept;
   Beam& operator=(Beam&&) noexcept;
   ~Beam();

@@ -126,8 +126,8 @@ std::optional<Flip> Shelling::push(Flip flip) {
   for (int v = 0; v < result.front.boundary.vertices(); ++v) {
     const auto at = static_cast<std::size_t>(v);
     const Vertex former = result.flipped.former[at];
-    step.label[at] = former != kNewVertex ? before.label[former]
-                                          : static_cast<std::uint16_t>(step.vertices++);
+    step.label[at] =
+        former != kNewVertex ? before.label[former] : static_cast<std::uint16_t>(step.vertices++);
   }
   // The prism convention wants the hexahedron below its bottom quad; here it stands on it, so
   // the new quad on top, which faces outwards, takes the place of the bottom.

@@ -34,7 +34,8 @@ void mirror(Hexahedron& cell) noexcept {
   std::swap(cell[5], cell[6]);
 }
 
-/// Renumbers the vertices: those listed in `first` get 0, 1, ...; the others follow in the order of the cells.
+/// Renumbers the vertices: those listed in `first` get 0, 1, ...; the others follow in the order of
+/// the cells.
 complex::HexComplex renumbered(std::vector<Hexahedron> cells, std::uint32_t vertices,
                                const std::vector<std::uint32_t>& first) {
   constexpr std::uint32_t kUnset = 0xFFFFFFFF;
@@ -111,8 +112,8 @@ Filling assemble(const Beam& balls, const Beam& collars, const Meeting& meeting)
     if (n == kInterior) n = vertices++;
   const bool turned = (ball.is_mirrored != collar.is_mirrored) != meeting.turn.is_mirrored;
   std::vector<Hexahedron> cells = collar.hexahedra;
-  for (auto cell = ball.hexahedra.rbegin(); cell != ball.hexahedra.rend(); ++cell) {
-    Hexahedron moved = *cell;
+  std::reverse(ball.hexahedra.begin(), ball.hexahedra.end());  // the last one is taken off first
+  for (Hexahedron moved : ball.hexahedra) {
     for (std::uint32_t& v : moved) v = number[v];
     if (turned) mirror(moved);
     cells.push_back(moved);

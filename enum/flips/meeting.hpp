@@ -28,9 +28,9 @@ struct Filling {
 [[nodiscard]] Filling filling_of(const Beam& balls, FrontId id);
 
 struct MeetingOptions {
-  BeamOptions collars;   ///< limits of the collars' beam
-  int max_collar = 12;   ///< hexahedra
-  int below = 1 << 14;   ///< only fillings with fewer hexahedra are of interest
+  BeamOptions collars;  ///< limits of the collars' beam
+  int max_collar = 12;  ///< hexahedra
+  int below = 1 << 14;  ///< only fillings with fewer hexahedra are of interest
 };
 
 /// The least filling of `target` among all meetings of a collar with a ball of `balls`, or

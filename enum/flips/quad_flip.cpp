@@ -36,7 +36,8 @@ Border border_of(const Quadrangulation& q, Flip flip) noexcept {
       continue;
     }
     border.roof[at] = q.twin(Quadrangulation::opposite(side));
-    if (!flip.has(static_cast<unsigned>(i + 3))) border.lateral[at] = q.twin(Quadrangulation::next(side));
+    if (!flip.has(static_cast<unsigned>(i + 3)))
+      border.lateral[at] = q.twin(Quadrangulation::next(side));
     if (!flip.has(static_cast<unsigned>(i + 1)))
       border.lateral[(at + 1) % 4] = q.twin(Quadrangulation::prev(side));
   }
@@ -68,9 +69,8 @@ void move_quad(Quadrangulation& q, int from, int to) {
     edit.set_origin(e, q.origin(d));
     const Dart twin = q.twin(d);
     // A twin in the same quad (vertex of degree 1) moves along with it.
-    edit.link(e, Quadrangulation::quad_of(twin) == from
-                     ? Quadrangulation::dart(to, twin & 3)
-                     : twin);
+    edit.link(e,
+              Quadrangulation::quad_of(twin) == from ? Quadrangulation::dart(to, twin & 3) : twin);
   }
 }
 
@@ -81,8 +81,7 @@ void insert_quads(Quadrangulation& q, Flip flip, const Border& border, const Slo
   std::array<Quad, 4> wall{};
   int used = 0;
   for (std::size_t i = 0; i < 4; ++i)
-    if (!flip.has(static_cast<unsigned>(i)))
-      wall[i] = slots.quad[static_cast<std::size_t>(used++)];
+    if (!flip.has(static_cast<unsigned>(i))) wall[i] = slots.quad[static_cast<std::size_t>(used++)];
   const Quad top = slots.quad[static_cast<std::size_t>(used)];
   for (int i = 0; i < 4; ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -98,9 +97,9 @@ void insert_quads(Quadrangulation& q, Flip flip, const Border& border, const Slo
       edit.set_origin(Quadrangulation::dart(wall[at], k), corners[static_cast<std::size_t>(k)]);
     edit.link(Quadrangulation::dart(wall[at], 0), border.base[at]);
     edit.link(Quadrangulation::dart(wall[at], 2), roof);
-    edit.link(Quadrangulation::dart(wall[at], 1),
-              flip.has(static_cast<unsigned>(i + 1)) ? border.lateral[after]
-                                                     : Quadrangulation::dart(wall[after], 3));
+    edit.link(Quadrangulation::dart(wall[at], 1), flip.has(static_cast<unsigned>(i + 1))
+                                                      ? border.lateral[after]
+                                                      : Quadrangulation::dart(wall[after], 3));
     if (flip.has(static_cast<unsigned>(i + 3)))
       edit.link(Quadrangulation::dart(wall[at], 3), border.lateral[at]);
   }
@@ -223,8 +222,7 @@ Flipped flipped(const Quadrangulation& q, Flip flip, const Prism& prism) {
   int buried_count = 0;
   for (int i = 0; i < 4; ++i)
     if (is_buried(flip, i))
-      buried[static_cast<std::size_t>(buried_count++)] =
-          prism.bottom[static_cast<std::size_t>(i)];
+      buried[static_cast<std::size_t>(buried_count++)] = prism.bottom[static_cast<std::size_t>(i)];
   int vertices = q.vertices();
   result.top = prism.top;
   for (Vertex& v : result.top) {
@@ -238,8 +236,7 @@ Flipped flipped(const Quadrangulation& q, Flip flip, const Prism& prism) {
   insert_quads(made, flip, border, slots, prism.bottom, result.top);
 
   Quad top_slot = slots.quad[static_cast<std::size_t>(5 - removed)];
-  const std::span<Quad> holes(slots.quad.data() + (6 - removed),
-                              slots.quad.data() + slots.count);
+  const std::span<Quad> holes(slots.quad.data() + (6 - removed), slots.quad.data() + slots.count);
   close_quad_holes(made, holes, top_slot);
   close_vertex_holes(result, {buried.data(), static_cast<std::size_t>(buried_count)});
   // Seen from the other side the top is the bottom, and the walls are its sides.

@@ -5,7 +5,6 @@
 namespace hexatlas::flips {
 namespace {
 
-using complex::Quadrangulation;
 using complex::Vertex;
 
 Scars scars_of(const Front& front, const Relation& quads, const canon::Labelling& label) noexcept {

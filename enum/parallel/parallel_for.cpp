@@ -50,6 +50,7 @@ void run(int threads, std::size_t count, FirstException& first,
 #else
   std::atomic<std::size_t> next{0};
   std::vector<std::jthread> pool;
+  pool.reserve(static_cast<std::size_t>(threads));
   for (int t = 0; t < threads; ++t)
     pool.emplace_back([&] {
       for (std::size_t i = next++; i < count; i = next++) first.guard(i, body);

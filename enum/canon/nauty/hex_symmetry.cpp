@@ -1,7 +1,7 @@
 // _Thread_local is C; C++ code spells it differently.
 #define _Thread_local __thread  // NOLINT(bugprone-reserved-identifier)
-#include <nauty/nauty.h>
 #include <nauty/nausparse.h>
+#include <nauty/nauty.h>
 
 #include "enum/canon/nauty/hex_symmetry.hpp"
 
@@ -40,9 +40,9 @@ thread_local std::uint64_t group_order = 1;
 thread_local bool group_order_overflows = false;
 
 // nauty calls this once per level with the size of the orbit of the fixed point there.
-void multiply_orbit(int* /*lab*/, int* /*ptn*/, int /*level*/, int* /*orbits*/,
-                    statsblk* /*stats*/, int /*tv*/, int index, int /*tcellsize*/,
-                    int /*numcells*/, int /*childcount*/, int /*n*/) {
+void multiply_orbit(int* /*lab*/, int* /*ptn*/, int /*level*/, int* /*orbits*/, statsblk* /*stats*/,
+                    int /*tv*/, int index, int /*tcellsize*/, int /*numcells*/, int /*childcount*/,
+                    int /*n*/) {
   const auto factor = static_cast<std::uint64_t>(index);
   if (group_order > std::numeric_limits<std::uint64_t>::max() / factor)
     group_order_overflows = true;
@@ -50,27 +50,44 @@ void multiply_orbit(int* /*lab*/, int* /*ptn*/, int /*level*/, int* /*orbits*/,
     group_order *= factor;
 }
 
-class SparseGraph {
+/// The same graph in nauty's form; owns the arrays that nauty reads.
+class InputGraph {
  public:
-  explicit SparseGraph(const ColouredGraph& coloured) {
-    SG_INIT(graph_);
-    std::size_t ends = 0;
-    for (const auto& row : coloured.neighbours) ends += row.size();
-    SG_ALLOC(graph_, coloured.neighbours.size(), ends, "out of memory");
-    graph_.nv = static_cast<int>(coloured.neighbours.size());
-    graph_.nde = ends;
-    std::size_t at = 0;
-    for (std::size_t v = 0; v < coloured.neighbours.size(); ++v) {
-      graph_.v[v] = at;
-      graph_.d[v] = static_cast<int>(coloured.neighbours[v].size());
-      for (const int w : coloured.neighbours[v]) graph_.e[at++] = w;
+  explicit InputGraph(const ColouredGraph& coloured) {
+    for (const auto& row : coloured.neighbours) {
+      first_.push_back(ends_.size());
+      degree_.push_back(static_cast<int>(row.size()));
+      ends_.insert(ends_.end(), row.begin(), row.end());
     }
+    SG_INIT(graph_);
+    graph_.nv = static_cast<int>(first_.size());
+    graph_.nde = ends_.size();
+    graph_.v = first_.data();
+    graph_.d = degree_.data();
+    graph_.e = ends_.data();
+    graph_.vlen = first_.size();
+    graph_.dlen = degree_.size();
+    graph_.elen = ends_.size();
   }
-  SparseGraph() { SG_INIT(graph_); }
-  SparseGraph(const SparseGraph&) = delete;
-  SparseGraph& operator=(const SparseGraph&) = delete;
-  ~SparseGraph() { SG_FREE(graph_); }
-  sparsegraph* get() noexcept { return &graph_; }
+  InputGraph(const InputGraph&) = delete;
+  InputGraph& operator=(const InputGraph&) = delete;
+  ~InputGraph() = default;
+  [[nodiscard]] sparsegraph* get() noexcept { return &graph_; }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<int> degree_, ends_;
+  sparsegraph graph_{};
+};
+
+/// A graph that nauty allocates.
+class OutputGraph {
+ public:
+  OutputGraph() { SG_INIT(graph_); }
+  OutputGraph(const OutputGraph&) = delete;
+  OutputGraph& operator=(const OutputGraph&) = delete;
+  ~OutputGraph() { SG_FREE(graph_); }
+  [[nodiscard]] sparsegraph* get() noexcept { return &graph_; }
 
  private:
   sparsegraph graph_{};
@@ -91,8 +108,8 @@ GraphForm canonical(const ColouredGraph& coloured) {
   options.defaultptn = FALSE;
   options.userlevelproc = multiply_orbit;
   statsblk stats{};
-  SparseGraph input(coloured);
-  SparseGraph output;
+  InputGraph input(coloured);
+  OutputGraph output;
   group_order = 1;
   group_order_overflows = false;
   sparsenauty(input.get(), lab.data(), ptn.data(), orbits.data(), &options, &stats, output.get());
