@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// Validity and shape of one hexahedron.
+///
+/// Definition. A hexahedron is *valid* if the Jacobian determinant of its trilinear map is
+/// positive on the closed cube. It is *inverted* if the determinant is not positive at a corner.
+///
+/// Method and source: realize/exact/jacobian.hpp. An answer `valid` or `invalid` is a proof; the
+/// exact search for one ends after kSubdivisionDepth subdivisions.
+///
+/// Requires. Finite coordinates, else PreconditionViolated.
+/// Not promised: that a map with positive Jacobian is injective (it is locally), or that cells
+/// of a mesh do not overlap.
+
+#include <array>
+#include <cstdint>
+
+#include "meshing/mesh/mesh.hpp"
+
+namespace hexatlas::quality {
+
+inline constexpr int kSubdivisionDepth = 4;
+
+/// Corner x + 2y + 4z, as in enum/cells/cube.hpp.
+using Corners = std::array<mesh::Point, 8>;
+
+enum class Validity : std::uint8_t { valid, invalid, undecided };
+
+struct Verdict {
+  Validity validity = Validity::undecided;
+  bool inverted = false;  ///< the determinant at some corner is <= 0
+  bool exact = false;     ///< double precision did not suffice
+};
+
+[[nodiscard]] Verdict verdict_of_hexahedron(const Corners& corners);
+
+[[nodiscard]] inline Validity validity_of_hexahedron(const Corners& corners) {
+  return verdict_of_hexahedron(corners).validity;
+}
+
+/// The least, over the corners, of the determinant of the three edge vectors there divided by their
+/// lengths, in [-1, 1]; a corner with an edge of length zero counts 0. In double precision:
+/// a measure of shape that proves nothing. No scale of the coordinates makes it overflow.
+[[nodiscard]] double scaled_jacobian(const Corners& corners);
+
+}  // namespace hexatlas::quality

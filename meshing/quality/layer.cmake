@@ -1,0 +1,4 @@
+hexatlas_layer(meshing/quality
+  HEADERS hexahedron.hpp report.hpp
+  SOURCES hexahedron.cpp report.cpp
+  USES enum/core realize/exact meshing/mesh)

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// The quality of a mesh in a few numbers.
+///
+/// Requires. Indices below the number of points and finite coordinates, else
+/// PreconditionViolated. Cost: linear; about a microsecond for each hexahedron that double
+/// precision decides, fifty and more for each of the others, which are counted.
+
+#include <cstddef>
+
+#include "meshing/mesh/mesh.hpp"
+
+namespace hexatlas::quality {
+
+/// valid + invalid + undecided == hexahedra; the words are those of hexahedron.hpp.
+struct Report {
+  std::size_t hexahedra = 0;
+  std::size_t valid = 0;
+  std::size_t invalid = 0;
+  std::size_t undecided = 0;
+  std::size_t inverted = 0;         ///< some corner determinant <= 0, decided exactly
+  double min_scaled_jacobian = 0;   ///< 0 for a mesh without hexahedra
+  double mean_scaled_jacobian = 0;  ///< 0 for a mesh without hexahedra
+  std::size_t exact_decisions = 0;  ///< hexahedra that double precision could not decide
+};
+
+[[nodiscard]] Report report(const mesh::HexMesh& mesh);
+
+}  // namespace hexatlas::quality

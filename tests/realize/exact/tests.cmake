@@ -1,0 +1,3 @@
+hexatlas_test(realize_exact_test fast
+  SOURCES exact/orientation_test.cpp exact/jacobian_test.cpp
+  USES realize_exact)
