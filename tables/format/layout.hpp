@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// Offsets of docs/formats/table.md, shared by the writer and the reader of tables/format.
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace hexatlas::format::layout {
+
+inline constexpr std::string_view kMagic = "hexatlas";
+inline constexpr std::uint32_t kByteOrder = 0x0A0B0C0D;
+
+inline constexpr std::size_t kVersion = 8;
+inline constexpr std::size_t kByteOrderMark = 12;
+inline constexpr std::size_t kFileSize = 16;
+inline constexpr std::size_t kEntries = 24;
+inline constexpr std::size_t kSections = 32;
+inline constexpr std::size_t kBlocks = 36;
+inline constexpr std::size_t kNames = 40;
+inline constexpr std::size_t kEntriesPerBlock = 44;
+inline constexpr std::size_t kIndexOffset = 48;
+inline constexpr std::size_t kDirectoryOffset = 56;
+inline constexpr std::size_t kNamesOffset = 64;
+inline constexpr std::size_t kDigest = 96;
+inline constexpr std::size_t kHeaderSize = 128;
+
+inline constexpr std::size_t kSectionSize = 32;
+inline constexpr std::size_t kEntryFields = 8;  ///< after the key
+inline constexpr std::size_t kDirectoryEntrySize = 16;
+
+}  // namespace hexatlas::format::layout
