@@ -1,0 +1,56 @@
+#pragma once
+/// \file
+/// Hexahedral mesh of a ball given by a quad surface: the boundary's canonical code is looked up
+/// in a table, and the mesh found there is carried over to the surface's own vertices.
+///
+/// All of it is exact combinatorics, the same on every machine, except where the interior
+/// vertices are placed: each becomes the mean of its neighbours (smoothing.hpp). Nothing is
+/// promised about the shape of the hexahedra; meshing/quality says what it is.
+
+#include <cstddef>
+#include <string>
+#include <variant>
+
+#include "meshing/mesh/mesh.hpp"
+#include "tables/format/table.hpp"
+
+namespace hexatlas::hexahedrize {
+
+/// A mesh whose first points are those of the surface, bit for bit and in order; the quads in
+/// one hexahedron only are those of the surface up to rotation (and up to `reversed` below).
+struct Hexahedrized {
+  mesh::HexMesh mesh;
+  std::string code;  ///< of the boundary, which is the key of the table's entry
+  std::size_t interior_vertices = 0;
+};
+
+/// No mesh under the strict rule can have this boundary.
+struct Impossible {
+  std::string reason;  ///< one sentence without a full stop
+};
+
+/// The table has nothing for this boundary, which proves nothing.
+struct NotInTable {
+  std::size_t quads = 0;
+  std::string code;  ///< empty above 64 quads
+};
+
+/// What was done to the surface before it was meshed.
+struct SurfaceNotes {
+  std::size_t unused_points = 0;   ///< kept as points of the mesh
+  std::size_t reversed_quads = 0;  ///< turned over to agree with the majority
+  bool turned_outwards = false;    ///< all quads turned over, since they faced inwards
+};
+
+struct Answer {
+  std::variant<Hexahedrized, Impossible, NotInTable> outcome;
+  SurfaceNotes notes;
+};
+
+/// `file` stands for the surface in messages.
+/// Throws InvalidInput if the surface is not a quadrangulated sphere, with the line of the quad
+/// at fault where it is known. Cost: O(n log n) for n quads, plus a look-up.
+[[nodiscard]] Answer hexahedrize(const mesh::SurfaceMesh& surface, const format::Table& table,
+                                 const std::string& file);
+
+}  // namespace hexatlas::hexahedrize
