@@ -1,0 +1,121 @@
+#!/usr/bin/env bash
+# Every check of the project; the last line is "N passed, N failed", N skipped may follow.
+# usage: bash cmake/test.sh           [HEXATLAS_TIDY=all|changed|off, default all]
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+results=$PWD/build/test-results
+jobs=$(nproc)
+rm -rf "$results"
+mkdir -p "$results"
+
+say() { printf '\n== %s\n' "$*"; }
+
+# A step that fails outside a test program is one failed test of that name.
+record() { # NAME failed|passed
+  local outcome=
+  [[ $2 == passed ]] || outcome='<failure message="see the output above"/>'
+  printf '<testsuite name="steps"><testcase name="%s">%s</testcase></testsuite>\n' \
+    "$1" "$outcome" >"$results/step-$1.xml"
+}
+
+# Runs at any exit, so that the last line is there whatever happened before.
+reached_end=no
+finish() {
+  trap - EXIT
+  [[ $reached_end == yes ]] || record not-all-steps-ran failed
+  if ! command -v python3 >/dev/null; then
+    printf '0 passed, 1 failed\n'
+    exit 1
+  fi
+  say summary
+  python3 cmake/junit_summary.py "$results" || exit 1
+}
+trap finish EXIT
+
+step() { # NAME COMMAND...: runs it; a failure is recorded and returned
+  local name=$1
+  shift
+  say "$name: $*"
+  if "$@" >"$results/$name.log" 2>&1; then
+    return 0
+  fi
+  tail -n 60 "$results/$name.log"
+  record "$name" failed
+  return 1
+}
+
+# ThreadSanitizer of g++ 12 needs an address layout that recent kernels randomize too much.
+fixed_layout() {
+  if setarch "$(uname -m)" -R true 2>/dev/null; then
+    setarch "$(uname -m)" -R "$@"
+  else
+    "$@"
+  fi
+}
+
+build() { # PRESET [TARGET...]
+  local preset=$1
+  shift
+  step "configure-$preset" cmake --preset "$preset" -DHEXATLAS_TESTS=ON || return 1
+  step "build-$preset" fixed_layout cmake --build "build/$preset" --parallel "$jobs" \
+    ${1:+--target "$@"}
+}
+
+run_tests() { # PRESET [CTEST OPTION...]
+  local preset=$1 report="$results/ctest-$1.xml"
+  shift
+  say "ctest $preset $*"
+  if fixed_layout ctest --test-dir "build/$preset" --parallel "$jobs" --timeout 900 \
+    --output-on-failure --no-tests=error --output-junit "$report" "$@" \
+    >"$results/ctest-$preset.log" 2>&1; then
+    return 0
+  fi
+  tail -n 100 "$results/ctest-$preset.log"
+  # Failed tests are in the report; anything else that stopped ctest is not.
+  if [[ ! -s $report ]] || python3 cmake/junit_summary.py "$report" >/dev/null; then
+    record "ctest-$preset" failed
+  fi
+}
+
+# The test programs of a label, so that a slow build makes only what it runs.
+targets_labelled() {
+  grep -rhoE --include=tests.cmake "hexatlas_test\([a-z0-9_]+ +$1( |\$)" tests |
+    sed -E 's/hexatlas_test\(([a-z0-9_]+).*/\1/' | sort -u
+}
+
+# The .cpp files of the libraries and the program; `changed`: since HEXATLAS_TIDY_BASE.
+own_sources() { # all|changed
+  local folders=(enum realize tables meshing cli)
+  if [[ $1 == changed ]]; then
+    git diff --name-only --diff-filter=d "${HEXATLAS_TIDY_BASE:-HEAD~1}" -- "${folders[@]/%//*.cpp}"
+  else
+    find "${folders[@]}" -name '*.cpp' | sort
+  fi
+}
+
+tidy() { # all|changed
+  local files
+  files=$(own_sources "$1") || return 1
+  xargs --no-run-if-empty --delimiter='\n' --max-procs="$jobs" --max-args=1 \
+    clang-tidy --quiet -p build/release <<<"$files"
+}
+
+step packages bash cmake/packages.sh test
+
+if build release; then
+  run_tests release
+  if [[ ${HEXATLAS_TIDY:-all} != off ]] && step clang-tidy tidy "${HEXATLAS_TIDY:-all}"; then
+    record clang-tidy passed
+  fi
+fi
+if build asan; then
+  run_tests asan --label-regex '^fast$'
+fi
+mapfile -t thread_targets < <(targets_labelled threads)
+if ((${#thread_targets[@]} == 0)); then
+  record no-test-is-labelled-threads failed
+elif build tsan "${thread_targets[@]}"; then
+  run_tests tsan --label-regex '^threads$'
+fi
+reached_end=yes
