@@ -1,0 +1,90 @@
+#pragma once
+/// \file
+/// Internal to the judge: which vertices, edges and quads lie in which hexahedra.
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tables/check/mesh.hpp"
+#include "tables/check/verdict.hpp"
+
+namespace hexatlas::check {
+
+/// Quads of a hexahedron, counter-clockwise from outside; corners in VTK order.
+inline constexpr std::array<std::array<unsigned, 4>, 6> kQuadCorners = {
+    {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+inline constexpr std::array<std::array<unsigned, 2>, 12> kEdgeCorners = {{{0, 1},
+                                                                          {1, 2},
+                                                                          {2, 3},
+                                                                          {3, 0},
+                                                                          {4, 5},
+                                                                          {5, 6},
+                                                                          {6, 7},
+                                                                          {7, 4},
+                                                                          {0, 4},
+                                                                          {1, 5},
+                                                                          {2, 6},
+                                                                          {3, 7}}};
+/// Coordinates x + 2 y + 4 z of the corners.
+inline constexpr std::array<unsigned, 8> kCornerBits = {0, 1, 3, 2, 4, 5, 7, 6};
+
+[[nodiscard]] constexpr bool are_adjacent_corners(unsigned a, unsigned b) {
+  return std::popcount(kCornerBits[a] ^ kCornerBits[b]) == 1;
+}
+
+struct Failure {
+  Law law;
+  std::string reason;
+};
+using Finding = std::optional<Failure>;
+
+/// A list of lists of numbers in one array.
+struct Lists {
+  std::vector<std::uint32_t> start;
+  std::vector<std::uint32_t> items;
+  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t i) const {
+    return {items.data() + start[i], items.data() + start[i + 1]};
+  }
+};
+
+/// A quad of hexahedra: place 6 c + q is quad q of hexahedron c.
+struct Facet {
+  std::uint32_t uses = 0;                   ///< hexahedra that contain it
+  std::array<std::uint32_t, 2> place = {};  ///< in the first two of them
+};
+
+struct Incidence {
+  std::span<const Hexahedron> cells;
+  std::uint32_t vertex_count = 0;
+  Lists cells_at;                                      ///< per vertex
+  std::vector<Facet> facets;                           ///< each set of vertices once
+  std::vector<std::array<std::uint32_t, 6>> facet_of;  ///< per hexahedron
+  std::vector<std::array<std::uint32_t, 2>> edges;     ///< each pair of vertices once
+  std::vector<std::array<std::uint32_t, 12>> edge_of;  ///< per hexahedron
+  std::vector<bool> on_boundary;                       ///< per vertex
+
+  /// Vertices of the quad at a place, counter-clockwise from outside its hexahedron.
+  [[nodiscard]] Quad quad_at(std::uint32_t place) const;
+};
+
+/// Requires: all vertices are less than `vertex_count`, those of each hexahedron distinct.
+/// The cells must outlive the result. Cost: O(H log H).
+[[nodiscard]] Incidence incidence_of(std::span<const Hexahedron> cells, std::uint32_t vertex_count);
+
+/// The quads that lie in one hexahedron, counter-clockwise from outside the mesh.
+[[nodiscard]] std::vector<Quad> boundary_quads(const Incidence& incidence);
+
+/// "(1, 2, 3, 4)".
+template <typename Numbers>
+[[nodiscard]] std::string listed(const Numbers& numbers) {
+  std::string text;
+  for (const auto number : numbers) text += (text.empty() ? "(" : ", ") + std::to_string(number);
+  return text + ")";
+}
+
+}  // namespace hexatlas::check

@@ -1,0 +1,96 @@
+#include "tables/check/judge_cells.hpp"
+
+#include <algorithm>
+
+#include "tables/check/ball.hpp"
+#include "tables/check/laws.hpp"
+
+namespace hexatlas::check {
+
+namespace {
+
+constexpr std::uint64_t kMostVertices = std::uint64_t{1} << 31;
+
+Finding check_used(const Incidence& incidence, const std::vector<bool>& may_be_unused) {
+  for (std::size_t v = 0; v < incidence.vertex_count; ++v) {
+    if (!incidence.cells_at[v].empty() || (!may_be_unused.empty() && may_be_unused[v])) continue;
+    return Failure{Law::kUnusedPoint, "point " + std::to_string(v) + " is in no hexahedron"};
+  }
+  return std::nullopt;
+}
+
+Finding check_ball(const Incidence& incidence, std::span<const std::uint32_t> removal_order,
+                   Verdict& verdict) {
+  if (!removal_order.empty()) {
+    if (!is_removal_order(incidence, removal_order)) {
+      return Failure{Law::kBall, "the stated order of the hexahedra is no shelling"};
+    }
+    verdict.ball_proof = "shelling";
+  } else {
+    verdict.ball_proof = find_ball_proof(incidence);
+    verdict.undecided = verdict.ball_proof.empty();
+    if (verdict.undecided) {
+      return Failure{Law::kBall, "not shown to be a ball: no shelling and no collapse found"};
+    }
+  }
+  verdict.is_ball = true;
+  return std::nullopt;
+}
+
+void count_faces(const Incidence& incidence, Verdict& verdict) {
+  verdict.edges = incidence.edges.size();
+  verdict.quads = incidence.facets.size();
+  for (std::size_t v = 0; v < incidence.vertex_count; ++v) {
+    if (incidence.cells_at[v].empty()) continue;
+    ++verdict.vertices;
+    if (!incidence.on_boundary[v]) ++verdict.interior_vertices;
+  }
+  for (const Facet& facet : incidence.facets) {
+    if (facet.uses == 1) ++verdict.boundary_quads;
+  }
+}
+
+Finding first_broken(const Incidence& incidence, const std::vector<bool>& may_be_unused,
+                     std::span<const std::uint32_t> removal_order, Verdict& verdict) {
+  if (Finding found = check_used(incidence, may_be_unused)) return found;
+  for (const auto& check : {check_two_hexahedra, check_strict_rule, check_orientation,
+                            check_connected, check_links, check_boundary_sphere}) {
+    if (Finding found = check(incidence)) return found;
+  }
+  return check_ball(incidence, removal_order, verdict);
+}
+
+}  // namespace
+
+Verdict judge_cells(std::span<const Hexahedron> cells, std::uint64_t vertex_count,
+                    const std::vector<bool>& may_be_unused,
+                    std::span<const std::uint32_t> removal_order, std::vector<Quad>& boundary) {
+  Verdict verdict;
+  verdict.hexahedra = cells.size();
+  Finding found = check_corners(cells, vertex_count);
+  if (!found && vertex_count > kMostVertices) {
+    found = Failure{Law::kUnusedPoint, "there are more points than can be used"};
+  }
+  if (!found) {
+    const Incidence incidence = incidence_of(cells, static_cast<std::uint32_t>(vertex_count));
+    count_faces(incidence, verdict);
+    found = first_broken(incidence, may_be_unused, removal_order, verdict);
+    if (!found) boundary = boundary_quads(incidence);
+  }
+  verdict.accepted = !found;
+  if (found) {
+    verdict.broken = found->law;
+    verdict.reason = found->reason;
+  }
+  return verdict;
+}
+
+Quad least_first(const Quad& quad) {
+  Quad result = quad;
+  std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+  return result;
+}
+
+Quad reversed(const Quad& quad) { return {quad[0], quad[3], quad[2], quad[1]}; }
+
+}  // namespace hexatlas::check

@@ -1,0 +1,56 @@
+#pragma once
+/// \file
+/// The judge's own readers of mesh files. They share no code with the readers of the mesher, so
+/// that an error of those cannot hide itself.
+///
+/// Formats, by the ending of the name: `.vtk` (legacy, ASCII, versions 2.0, 3.0, 4.2, 5.1,
+/// UNSTRUCTURED_GRID), `.vtu` (ASCII; base64 inline; appended raw or base64; uncompressed or
+/// zlib; little-endian), `.mesh` (MEDIT, ASCII), `.msh` (Gmsh 2.2 and 4.1, ASCII), and for surfaces
+/// also `.obj` and `.off`.
+///
+/// Points keep the order of the file. Of the cells, hexahedra and quads are kept; isolated points
+/// and line segments are passed over, since they carry no part of a mesh; any other cell is
+/// refused. Attributes (fields, references, physical groups) are passed over. Decimal coordinates
+/// are read as the nearest double, whatever width the file declares.
+///
+/// Errors: Malformed, for everything that is not a well-formed file of its format, among them a
+/// count larger than the rest of the file can hold, an index outside the points, and a coordinate
+/// that is not finite. Cost: linear; memory is never asked for on the word of a count alone.
+/// Not promised: that a mesh is valid. That is check_mesh.
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hexatlas::check {
+
+using Point = std::array<double, 3>;
+using Quad = std::array<std::uint32_t, 4>;
+
+/// Eight vertices in VTK order: the bottom quad cyclically, then the top quad, vertex i + 4 above
+/// vertex i. With right-handed axes the corners are 000 100 110 010 001 101 111 011.
+using Hexahedron = std::array<std::uint32_t, 8>;
+
+struct Surface {
+  std::vector<Point> points;
+  std::vector<Quad> quads;
+};
+
+struct Mesh {
+  std::vector<Point> points;
+  std::vector<Hexahedron> hexahedra;
+  std::vector<Quad> quads;  ///< the boundary as listed in the file; empty if it lists none
+};
+
+[[nodiscard]] Mesh read_mesh(const std::filesystem::path& path);
+[[nodiscard]] Surface read_surface(const std::filesystem::path& path);
+
+/// The same for bytes in memory; the format is that of the ending of `name`, which also opens
+/// each message.
+[[nodiscard]] Mesh parse_mesh(const std::string& name, std::string_view bytes);
+[[nodiscard]] Surface parse_surface(const std::string& name, std::string_view bytes);
+
+}  // namespace hexatlas::check

@@ -1,0 +1,141 @@
+#include "tables/check/mesh_check.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <set>
+#include <utility>
+
+#include "tables/check/incidence.hpp"
+#include "tables/check/judge_cells.hpp"
+
+namespace hexatlas::check {
+
+namespace {
+
+std::vector<Quad> sorted_cycles(const std::vector<Quad>& quads) {
+  std::vector<Quad> cycles;
+  cycles.reserve(quads.size());
+  for (const Quad& quad : quads) cycles.push_back(least_first(quad));
+  std::sort(cycles.begin(), cycles.end());
+  return cycles;
+}
+
+std::vector<Quad> all_reversed(std::vector<Quad> quads) {
+  for (Quad& quad : quads) quad = reversed(quad);
+  return quads;
+}
+
+/// Each cycle in the direction in which the second vertex is less than the last one.
+std::vector<Quad> unoriented(std::vector<Quad> quads) {
+  for (Quad& quad : quads) {
+    quad = least_first(quad);
+    if (quad[1] > quad[3]) quad = reversed(quad);
+  }
+  return quads;
+}
+
+std::vector<Quad> sorted_sets(std::vector<Quad> quads) {
+  for (Quad& quad : quads) std::sort(quad.begin(), quad.end());
+  std::sort(quads.begin(), quads.end());
+  return quads;
+}
+
+/// No edge is traversed twice in one direction.
+bool is_coherent(const std::vector<Quad>& quads) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> traversed;
+  for (const Quad& quad : quads) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!traversed.emplace(quad[i], quad[(i + 1) % 4]).second) return false;
+    }
+  }
+  return true;
+}
+
+/// A quad that is in one of two sorted lists and not in the other, and which list has it.
+std::string difference(const std::vector<Quad>& mesh, const std::vector<Quad>& surface) {
+  const auto [in_mesh, in_surface] =
+      std::mismatch(mesh.begin(), mesh.end(), surface.begin(), surface.end());
+  const bool surface_first =
+      in_mesh == mesh.end() || (in_surface != surface.end() && *in_surface < *in_mesh);
+  return surface_first ? "quad " + listed(*in_surface) + " is not a boundary quad of the mesh"
+                       : "boundary quad " + listed(*in_mesh) + " of the mesh is not among them";
+}
+
+Finding check_surface_points(const Mesh& mesh, const Surface& surface) {
+  if (mesh.points.size() < surface.points.size()) {
+    return Failure{Law::kSurfacePoints, "the mesh has fewer points than the surface"};
+  }
+  for (std::size_t v = 0; v < surface.points.size(); ++v) {
+    if (std::memcmp(mesh.points[v].data(), surface.points[v].data(), sizeof(Point)) != 0) {
+      return Failure{Law::kSurfacePoints,
+                     "point " + std::to_string(v) + " is not that of the surface"};
+    }
+  }
+  return std::nullopt;
+}
+
+Finding check_surface_quads(const std::vector<Quad>& boundary, const Surface& surface,
+                            Verdict& verdict) {
+  std::vector<Quad> mine = sorted_cycles(boundary);
+  std::vector<Quad> given = sorted_cycles(surface.quads);
+  if (!is_coherent(surface.quads)) {
+    verdict.boundary_unoriented = true;
+    mine = sorted_cycles(unoriented(boundary));
+    given = sorted_cycles(unoriented(surface.quads));
+  }
+  if (mine == given) return std::nullopt;
+  if (!verdict.boundary_unoriented && sorted_cycles(all_reversed(boundary)) == given) {
+    verdict.boundary_reversed = true;
+    return std::nullopt;
+  }
+  return Failure{Law::kSurfaceQuads,
+                 "of the quads of the surface and those of the mesh: " + difference(mine, given)};
+}
+
+Finding check_listed_quads(const std::vector<Quad>& boundary, const Mesh& mesh) {
+  if (mesh.quads.empty()) return std::nullopt;
+  const std::vector<Quad> mine = sorted_sets(boundary);
+  const std::vector<Quad> listed_quads = sorted_sets(mesh.quads);
+  if (mine == listed_quads) return std::nullopt;
+  return Failure{Law::kListedQuads, "of the quads listed with the mesh (as sets of vertices): " +
+                                        difference(mine, listed_quads)};
+}
+
+/// The points of the surface in no quad of it.
+std::vector<bool> points_that_may_be_unused(const Mesh& mesh, const Surface* surface) {
+  std::vector<bool> may(mesh.points.size(), false);
+  if (surface == nullptr) return may;
+  const std::size_t count = std::min(may.size(), surface->points.size());
+  std::fill_n(may.begin(), count, true);
+  for (const Quad& quad : surface->quads) {
+    for (const std::uint32_t vertex : quad) {
+      if (vertex < may.size()) may[vertex] = false;
+    }
+  }
+  return may;
+}
+
+Finding check_boundary(const Mesh& mesh, const Surface* surface, const std::vector<Quad>& boundary,
+                       Verdict& verdict) {
+  if (Finding found = check_listed_quads(boundary, mesh)) return found;
+  if (surface == nullptr) return std::nullopt;
+  if (Finding found = check_surface_points(mesh, *surface)) return found;
+  return check_surface_quads(boundary, *surface, verdict);
+}
+
+}  // namespace
+
+Verdict check_mesh(const Mesh& mesh, const Surface* boundary) {
+  std::vector<Quad> quads;
+  Verdict verdict = judge_cells(mesh.hexahedra, mesh.points.size(),
+                                points_that_may_be_unused(mesh, boundary), {}, quads);
+  if (!verdict.accepted) return verdict;
+  if (const Finding found = check_boundary(mesh, boundary, quads, verdict)) {
+    verdict.accepted = false;
+    verdict.broken = found->law;
+    verdict.reason = found->reason;
+  }
+  return verdict;
+}
+
+}  // namespace hexatlas::check

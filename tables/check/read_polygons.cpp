@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <array>
+
+#include "tables/check/readers.hpp"
+#include "tables/check/scanner.hpp"
+
+namespace hexatlas::check {
+
+namespace {
+
+using Words = std::vector<std::string_view>;
+
+/// Records of an OBJ file that say nothing about points and faces.
+constexpr std::array<std::string_view, 8> kPassedOver = {"vn", "vt", "vp",     "g",
+                                                         "o",  "s",  "usemtl", "mtllib"};
+
+/// "7", "7/1", "7//2", "7/1/2"; negative numbers count back from the last point so far.
+std::uint32_t obj_vertex(const Scanner& in, std::string_view word, std::size_t points) {
+  const std::int64_t number = in.integer_from(word.substr(0, word.find('/')));
+  const auto count = static_cast<std::int64_t>(points);
+  if (number == 0 || number > count || number < -count) {
+    in.fail("point " + std::to_string(number) + " is not among the " + std::to_string(points) +
+            " points so far");
+  }
+  return static_cast<std::uint32_t>(number > 0 ? number - 1 : count + number);
+}
+
+Point obj_point(const Scanner& in, const Words& words) {
+  const std::size_t numbers = words.size() - 1;
+  if (numbers != 3 && numbers != 4 && numbers != 6) in.fail("a point has three coordinates");
+  for (std::size_t i = 4; i <= numbers; ++i) static_cast<void>(in.real_from(words[i]));
+  return {in.real_from(words[1]), in.real_from(words[2]), in.real_from(words[3])};
+}
+
+Quad off_quad(const Scanner& in, const Words& words, std::size_t points) {
+  if (words[0] != "4" || words.size() < 5) in.fail("a face is not a quad");
+  Quad quad{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::uint64_t vertex = in.natural_from(words[i + 1]);
+    if (vertex >= points) {
+      in.fail("point " + std::to_string(vertex) + " is not among the " + std::to_string(points) +
+              " points");
+    }
+    quad[i] = static_cast<std::uint32_t>(vertex);
+  }
+  for (std::size_t i = 5; i < words.size(); ++i) static_cast<void>(in.real_from(words[i]));
+  return quad;
+}
+
+}  // namespace
+
+Surface parse_obj(const std::string& name, std::string_view bytes) {
+  Scanner in(name, bytes, '#');
+  Surface surface;
+  for (Words words = in.line_of_words(); !words.empty(); words = in.line_of_words()) {
+    if (words[0] == "v") {
+      surface.points.push_back(obj_point(in, words));
+    } else if (words[0] == "f") {
+      if (words.size() != 5) in.fail("a face is not a quad");
+      Quad quad{};
+      for (std::size_t i = 0; i < 4; ++i) {
+        quad[i] = obj_vertex(in, words[i + 1], surface.points.size());
+      }
+      surface.quads.push_back(quad);
+    } else if (std::find(kPassedOver.begin(), kPassedOver.end(), words[0]) == kPassedOver.end()) {
+      in.fail("unknown record " + in_quotes(words[0]));
+    }
+  }
+  return surface;
+}
+
+Surface parse_off(const std::string& name, std::string_view bytes) {
+  Scanner in(name, bytes, '#');
+  in.expect("OFF");
+  const std::uint64_t points = in.count(6);
+  const std::uint64_t faces = in.count(8);
+  static_cast<void>(in.natural());
+  Surface surface;
+  surface.points.resize(points);
+  for (Point& point : surface.points) point = in.point();
+  surface.quads.reserve(faces);
+  for (std::uint64_t face = 0; face < faces; ++face) {
+    const Words words = in.line_of_words();
+    if (words.empty()) in.fail("the file ends too early");
+    surface.quads.push_back(off_quad(in, words, surface.points.size()));
+  }
+  if (!in.at_end()) in.fail("something follows the last face");
+  return surface;
+}
+
+}  // namespace hexatlas::check

@@ -1,0 +1,196 @@
+#include "tables/check/table_check.hpp"
+
+#include <zstd.h>
+
+#include <algorithm>
+#include <memory>
+#include <new>
+
+#include "tables/check/file_bytes.hpp"
+#include "tables/check/judge_cells.hpp"
+#include "tables/check/payload.hpp"
+#include "tables/check/quad_code.hpp"
+#include "tables/check/table_layout.hpp"
+
+namespace hexatlas::check {
+
+namespace {
+
+constexpr std::uint64_t kLengthBytes = 4;
+
+struct FreeStream {
+  void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
+};
+
+/// Exactly one frame of `unpacked` bytes. The memory grows with what is really there.
+bool unpack(std::string_view stored, std::uint64_t unpacked, std::string& bytes) {
+  if (stored.size() < 4 || number_at(stored, 0, 4) != ZSTD_MAGICNUMBER ||
+      ZSTD_findFrameCompressedSize(stored.data(), stored.size()) != stored.size()) {
+    return false;
+  }
+  const std::unique_ptr<ZSTD_DCtx, FreeStream> context(ZSTD_createDCtx());
+  if (!context) throw std::bad_alloc();
+  std::vector<char> buffer(ZSTD_DStreamOutSize());
+  ZSTD_inBuffer in{stored.data(), stored.size(), 0};
+  for (std::size_t left = 1; left != 0;) {
+    ZSTD_outBuffer out{buffer.data(), buffer.size(), 0};
+    left = ZSTD_decompressStream(context.get(), &out, &in);
+    if (ZSTD_isError(left) != 0 || out.pos > unpacked - bytes.size()) return false;
+    bytes.append(buffer.data(), out.pos);
+    if (left != 0 && out.pos == 0 && in.pos == in.size) return false;
+  }
+  return in.pos == in.size && bytes.size() == unpacked;
+}
+
+std::vector<Quad> sorted_cycles(std::vector<Quad> quads) {
+  for (Quad& quad : quads) quad = least_first(quad);
+  std::sort(quads.begin(), quads.end());
+  return quads;
+}
+
+/// Decodes a key into its canonical list of quads; returns what is wrong with it, or nothing.
+std::string decode_key(std::string_view key, std::size_t quads, std::vector<Quad>& boundary) {
+  const std::optional<CodeWord> word = word_of_key(key, quads);
+  if (!word) return "the unused half byte of the key is not zero";
+  std::string reason;
+  const auto decoded = decode_word(*word, reason);
+  if (!decoded) return "the key is no code: " + reason;
+  const auto code = canonical_code(*decoded);
+  if (!code) return "the key encodes no simple quadrangulation of the sphere";
+  if (code->word != *word) return "the key is not the canonical code of what it encodes";
+  if (!is_three_connected_by_removal(*decoded) || !is_three_connected_by_quads(*decoded)) {
+    return "the quadrangulation is not 3-connected";
+  }
+  boundary = *decoded;
+  return {};
+}
+
+struct IndexEntry {
+  std::string_view key;
+  std::uint32_t hexahedra;
+  std::uint32_t interior;
+  std::uint32_t lower_bound;
+  std::uint32_t zero;
+};
+
+class TableJudge {
+ public:
+  explicit TableJudge(std::string_view bytes) : bytes_(bytes) {}
+
+  TableVerdict judge() {
+    verdict_.bytes = bytes_.size();
+    verdict_.reason = read_layout(bytes_, layout_);
+    if (verdict_.reason.empty()) verdict_.reason = judge_entries();
+    verdict_.entries = layout_.entries;
+    verdict_.names = layout_.names;
+    verdict_.accepted = verdict_.reason.empty();
+    return verdict_;
+  }
+
+ private:
+  std::string judge_entries() {
+    for (const TableSection& section : layout_.sections) {
+      verdict_.by_quads.push_back({section.quads, 0, 0, 0, 0});
+      std::string_view before;
+      for (std::uint64_t i = 0; i < section.count; ++i) {
+        const IndexEntry entry = entry_at(section, i);
+        std::string broken = open_block(section.first + i);
+        if (!broken.empty()) return broken;
+        if (i > 0 && entry.key <= before) broken = "the keys are not in ascending order";
+        if (broken.empty())
+          broken = judge_entry(section.quads, entry, payload_of(section.first + i));
+        if (!broken.empty()) return "entry " + std::to_string(section.first + i) + ": " + broken;
+        before = entry.key;
+        count(entry.hexahedra);
+      }
+    }
+    return {};
+  }
+
+  [[nodiscard]] IndexEntry entry_at(const TableSection& section, std::uint64_t i) const {
+    const std::uint64_t at = section.offset + i * (section.key_bytes + 8);
+    const auto field = [&](unsigned index) {
+      return static_cast<std::uint32_t>(
+          number_at(bytes_, at + section.key_bytes + std::uint64_t{2} * index, 2));
+    };
+    return {bytes_.substr(at, section.key_bytes), field(0), field(1), field(2), field(3)};
+  }
+
+  /// Unpacks the next block if entry `ordinal` is its first, and finds the payloads in it.
+  std::string open_block(std::uint64_t ordinal) {
+    if (ordinal % layout_.entries_per_block != 0) return {};
+    const std::uint64_t b = ordinal / layout_.entries_per_block;
+    const TableBlock& block = layout_.blocks[b];
+    const std::string name = "block " + std::to_string(b);
+    block_.clear();
+    payloads_.clear();
+    if (!unpack(bytes_.substr(block.offset, block.stored), block.unpacked, block_)) {
+      return name + " is not one Zstandard frame of the stated length";
+    }
+    const std::uint64_t records = std::min(layout_.entries_per_block, layout_.entries - ordinal);
+    if (records > block_.size() / kLengthBytes) return name + " is cut";
+    std::uint64_t at = records * kLengthBytes;
+    const std::string_view unpacked = block_;
+    for (std::uint64_t r = 0; r < records; ++r) {
+      const std::uint64_t length = number_at(unpacked, r * kLengthBytes, 4);
+      if (length > unpacked.size() - at) return name + " is shorter than its payloads";
+      payloads_.push_back(unpacked.substr(at, length));
+      at += length;
+    }
+    return at == unpacked.size() ? "" : name + " is not filled by its payloads";
+  }
+
+  [[nodiscard]] std::string_view payload_of(std::uint64_t ordinal) const {
+    return payloads_[ordinal % layout_.entries_per_block];
+  }
+
+  [[nodiscard]] static std::string judge_entry(std::uint32_t quads, const IndexEntry& entry,
+                                               std::string_view payload) {
+    if (entry.zero != 0) return "the last two bytes are not zero";
+    if (entry.lower_bound == 0) return "the lower bound is 0";
+    if (entry.hexahedra < entry.lower_bound) {
+      return "the number of hexahedra is below the lower bound";
+    }
+    std::vector<Quad> boundary;
+    std::string broken = decode_key(entry.key, quads, boundary);
+    if (!broken.empty()) return broken;
+    Filling filling;
+    broken = read_payload(payload, boundary, entry.hexahedra, entry.interior, filling);
+    if (!broken.empty()) return broken;
+    std::vector<Quad> found;
+    const Verdict verdict =
+        judge_cells(filling.cells, filling.vertex_count, {}, filling.removal_order, found);
+    if (!verdict.accepted) return verdict.reason;
+    if (sorted_cycles(found) != sorted_cycles(boundary)) {
+      return "the boundary of the mesh is not that of the key";
+    }
+    if (verdict.interior_vertices != entry.interior) {
+      return "the number of interior vertices is not that of the mesh";
+    }
+    return {};
+  }
+
+  void count(std::uint32_t hexahedra) {
+    TableRow& row = verdict_.by_quads.back();
+    row.least_hexahedra = row.entries == 0 ? hexahedra : std::min(row.least_hexahedra, hexahedra);
+    row.greatest_hexahedra = std::max(row.greatest_hexahedra, hexahedra);
+    row.total_hexahedra += hexahedra;
+    ++row.entries;
+  }
+
+  std::string_view bytes_;
+  TableLayout layout_;
+  TableVerdict verdict_;
+  std::string block_;
+  std::vector<std::string_view> payloads_;
+};
+
+}  // namespace
+
+TableVerdict check_table_bytes(std::string_view bytes) { return TableJudge(bytes).judge(); }
+
+TableVerdict check_table(const std::filesystem::path& path) {
+  return check_table_bytes(bytes_of_file(path));
+}
+
+}  // namespace hexatlas::check

@@ -1,0 +1,322 @@
+// Claim. The judge's readers read what well-formed files say, in each format, and refuse malformed
+// files with the place of the fault.
+// Oracle. Writers in example_files.hpp, from the descriptions of the formats; two files of VTK 9.1
+// (its writer of XML files, zlib, inline and appended base64; ranges and information keys left
+// out); a Gmsh file with tags and sections as Gmsh 4.8 writes them.
+#include "tables/check/mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "tables/check/malformed.hpp"
+#include "tests/tables/check/example_files.hpp"
+#include "tests/tables/check/example_meshes.hpp"
+
+namespace hexatlas::check {
+namespace {
+
+Mesh sample() {
+  examples::Example example = examples::cubes(examples::box(2, 2, 2));
+  example.mesh.quads = example.surface.quads;
+  example.mesh.points[3] = {-1.5e-300, 4.9e-324, 1.7976931348623157e308};
+  return example.mesh;
+}
+
+void expect_equal(const Mesh& a, const Mesh& b) {
+  ASSERT_EQ(a.points.size(), b.points.size());
+  EXPECT_EQ(std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof(Point)), 0);
+  EXPECT_EQ(a.hexahedra, b.hexahedra);
+  EXPECT_EQ(a.quads, b.quads);
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+void expect_malformed(const std::string& name, const std::string& bytes, const std::string& words) {
+  try {
+    static_cast<void>(parse_surface(name, bytes));
+    ADD_FAILURE() << name << " was read; expected: " << words;
+  } catch (const Malformed& error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).find(name + ":"), 0U) << error.what();
+  }
+}
+
+constexpr const char* kVtkInline =
+    "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\" h"
+    "eader_type=\"UInt32\" compressor=\"vtkZLibDataCompressor\">\n"
+    "<UnstructuredGrid>\n"
+    "<Piece NumberOfPoints=\"12\" NumberOfCells=\"2\">\n"
+    "<PointData>\n"
+    "</PointData>\n"
+    "<CellData>\n"
+    "</CellData>\n"
+    "<Points>\n"
+    "<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"bi"
+    "nary\">\n"
+    "AQAAAACAAAAgAQAAMgAAAA==eF5jYMAOZs0EgZ322MVPYoijyiP0wfjYxU9iiKMD/Pph4icxxHHpx0+f"
+    "xBAHALUqW20=\n"
+    "</DataArray>\n"
+    "</Points>\n"
+    "<Cells>\n"
+    "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"binary\">\n"
+    "AQAAAACAAACAAAAALgAAAA==eF41zLkBACAMw8BAgDzsvy8FspurLLO/gQsdDwY2Fuo3caM6+iVeVOcB"
+    "EyAAWQ==\n"
+    "</DataArray>\n"
+    "<DataArray type=\"Int64\" Name=\"offsets\" format=\"binary\">\n"
+    "AQAAAACAAAAQAAAADgAAAA==eF7jYIAAASgNAAEQABk=\n"
+    "</DataArray>\n"
+    "<DataArray type=\"UInt8\" Name=\"types\" format=\"binary\">\n"
+    "AQAAAACAAAACAAAACgAAAA==eF7j4QEAACYAGQ==\n"
+    "</DataArray>\n"
+    "</Cells>\n"
+    "</Piece>\n"
+    "</UnstructuredGrid>\n"
+    "</VTKFile>\n";
+constexpr const char* kVtkAppended =
+    "<?xml version=\"1.0\"?>\n"
+    "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" h"
+    "eader_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n"
+    "<UnstructuredGrid>\n"
+    "<Piece NumberOfPoints=\"12\"                   NumberOfCells=\"2\"              "
+    "     >\n"
+    "<PointData>\n"
+    "</PointData>\n"
+    "<CellData>\n"
+    "</CellData>\n"
+    "<Points>\n"
+    "<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ap"
+    "pended\"                           offset=\"0\"                   >\n"
+    "</DataArray>\n"
+    "</Points>\n"
+    "<Cells>\n"
+    "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"appended\"             "
+    "                            offset=\"112\"                 />\n"
+    "<DataArray type=\"Int64\" Name=\"offsets\" format=\"appended\"                  "
+    "                       offset=\"220\"                 />\n"
+    "<DataArray type=\"UInt8\" Name=\"types\" format=\"appended\"                    "
+    "                     offset=\"284\"                 >\n"
+    "</DataArray>\n"
+    "</Cells>\n"
+    "</Piece>\n"
+    "</UnstructuredGrid>\n"
+    "<AppendedData encoding=\"base64\">\n"
+    "_AQAAAAAAAAAAgAAAAAAAACABAAAAAAAAMgAAAAAAAAA=eF5jYMAOZs0EgZ322MVPYoijyiP0wfjYxU9"
+    "iiKMD/Pph4icxxHHpx0+fxBAHALUqW20=AQAAAAAAAAAAgAAAAAAAAIAAAAAAAAAALgAAAAAAAAA=eF4"
+    "1zLkBACAMw8BAgDzsvy8FspurLLO/gQsdDwY2Fuo3caM6+iVeVOcBEyAAWQ==AQAAAAAAAAAAgAAAAAA"
+    "AABAAAAAAAAAADgAAAAAAAAA=eF7jYIAAASgNAAEQABk=AQAAAAAAAAAAgAAAAAAAAAIAAAAAAAAACgA"
+    "AAAAAAAA=eF7j4QEAACYAGQ==\n"
+    "</AppendedData>\n"
+    "</VTKFile>\n";
+
+TEST(ReadMesh, ReadsWhatEachFormatSays) {
+  const Mesh mesh = sample();
+  Mesh no_quads = mesh;
+  no_quads.quads.clear();
+  for (const auto& format : examples::kMeshFormats) {
+    SCOPED_TRACE(format.name);
+    expect_equal(parse_mesh(format.name, format.write(mesh)), mesh);
+    expect_equal(parse_mesh(format.name, format.write(no_quads)), no_quads);
+  }
+}
+
+TEST(ReadMesh, ReadsSurfaces) {
+  const Mesh mesh = sample();
+  Mesh no_cells = mesh;
+  no_cells.hexahedra.clear();
+  const Surface surface{mesh.points, mesh.quads};
+  const auto expect_surface = [&surface](const Surface& read) {
+    expect_equal({read.points, {}, read.quads}, {surface.points, {}, surface.quads});
+  };
+  expect_surface(parse_surface("a.obj", examples::obj(surface)));
+  expect_surface(parse_surface("a.off", examples::off(surface)));
+  expect_surface(parse_surface("a.vtk", examples::vtk_2(no_cells)));
+  expect_surface(
+      parse_surface("a.mesh", replaced(examples::medit(no_cells), "Hexahedra", "Edges")));
+  expect_malformed("a.vtk", examples::vtk_2(mesh), "a surface has no hexahedra");
+}
+
+TEST(ReadMesh, ReadsFilesOfVtk) {
+  Mesh two;
+  for (const double z : {0.0, 0.1}) {
+    for (const double y : {0.0, 0.1}) {
+      for (const double x : {0.0, 0.1, 0.2}) two.points.push_back({x, y, z});
+    }
+  }
+  two.hexahedra = {{0, 1, 4, 3, 6, 7, 10, 9}, {1, 2, 5, 4, 7, 8, 11, 10}};
+  expect_equal(parse_mesh("inline.vtu", kVtkInline), two);
+  expect_equal(parse_mesh("appended.vtu", kVtkAppended), two);
+}
+
+TEST(ReadMesh, ReadsGmshTagsAndPassesOverOtherSections) {
+  const char* const file =
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n3 1 \"a $Nodes\"\n"
+      "$EndPhysicalNames\n$Entities\n1 0 0 0\n1 0 0 0 0\n$EndEntities\n"
+      "$Nodes\n2 8 3 40\n0 1 0 1\n40\n0 0 0\n3 1 1 7\n3\n4\n5\n6\n7\n8\n9\n"
+      "1 0 0 0 0 0\n1 1 0 0 0 0\n0 1 0 0 0 0\n0 0 1 0 0 0\n1 0 1 0 0 0\n1 1 1 0 0 0\n"
+      "0 1 1 .5 .5 .5\n$EndNodes\n"
+      "$Elements\n3 3 1 9\n0 1 15 1\n1 40\n1 1 1 1\n2 40 3\n3 1 5 1\n9 40 3 4 5 6 7 8 9\n"
+      "$EndElements\n";
+  const Mesh mesh = parse_mesh("a.msh", file);
+  EXPECT_EQ(mesh.points.size(), 8U);
+  EXPECT_EQ(mesh.points[6], (Point{1, 1, 1}));
+  EXPECT_EQ(mesh.hexahedra, (std::vector<Hexahedron>{{0, 1, 2, 3, 4, 5, 6, 7}}));
+}
+
+TEST(ReadMesh, AcceptsHarmlessOddities) {
+  const Mesh mesh = sample();
+  std::string crlf = "\xEF\xBB\xBF";
+  for (const char c : examples::medit(mesh))
+    crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  expect_equal(parse_mesh("a.mesh", crlf), mesh);
+  const std::string fields = "CELL_DATA 2\nSCALARS a int 1\nLOOKUP_TABLE default\n1\n2\n";
+  expect_equal(parse_mesh("a.vtk", examples::vtk_51(mesh) + fields), mesh);
+  expect_equal(parse_mesh("a.vtk", replaced(examples::vtk_51(mesh), "CELLS ",
+                                            "METADATA\nINFORMATION 0\n\nCELLS ")),
+               mesh);
+  const Surface surface =
+      parse_surface("a.obj",
+                    "o a\nv 0 0 0\nv +1 0 0 1\nv 1 1 0 0.5 0.5 0.5\nv 0 1e0 0\nvn 0 0 1\n"
+                    "usemtl m\nf 1/1/1 -3//1 3/4 -1 # a quad\n");
+  EXPECT_EQ(surface.quads, (std::vector<Quad>{{0, 1, 2, 3}}));
+}
+
+TEST(ReadMesh, RefusesMalformedVtk) {
+  const std::string good = examples::vtk_2(sample());
+  const auto bad = [&good](const std::string& from, const std::string& to, const char* words) {
+    expect_malformed("a.vtk", replaced(good, from, to), words);
+  };
+  expect_malformed("a.vtk", "", "too early");
+  expect_malformed("a.vtk", good.substr(0, good.size() / 2), "a.vtk:");
+  bad("2.0", "9.9", "a.vtk:1: unknown version");
+  bad("ASCII", "BINARY", "a.vtk:3: expected 'ASCII'");
+  bad("POINTS 27", "POINTS 28", "expected a number");
+  bad("POINTS 27", "POINTS 26", "unknown or misplaced keyword");
+  bad("POINTS 27", "POINTS 2147483647", "more than the rest of the file");
+  bad("POINTS 27", "POINTS 9223372036854775807", "more than the rest of the file");
+  bad("POINTS 27", "POINTS 99999999999999999999999", "natural number");
+  bad("POINTS 27", "POINTS -8", "natural number");
+  bad("double\n0 0 0", "double\n0 nan 0", "a.vtk:6: the number 'nan' is not finite");
+  bad("double\n0 0 0", "double\n0 1e400 0", "a.vtk:6: expected a number");
+  bad("double\n0 0 0", "double\n0 0x1p3 0", "a.vtk:6: expected a number");
+  bad("double\n0 0 0", "double\n0 0,5 0", "a.vtk:6: expected a number");
+  bad("double\n0 0 0", "double\n0 --3 0", "a.vtk:6: expected a number");
+  bad("\n8 ", "\n7 ", "size of CELLS is wrong");
+  bad("\n12\n", "\n11\n", "neither a hexahedron nor a quad");
+  bad("\n9\n", "\n12\n", "neither a hexahedron nor a quad");
+  bad("\n8 0", "\n8 27", "point 27 is not among the 27 points");
+  bad("\n8 0", "\n8 4294967296", "point 4294967296 is not among");
+  bad("\n8 0", "\n8 -1", "natural number");
+  bad("CELL_TYPES 32", "CELL_TYPES 31", "unknown or misplaced keyword");
+  bad("CELL_TYPES", "POINTS", "POINTS occurs twice");
+  bad("CELLS ", std::string("CE\0LLS ", 7), "unknown or misplaced keyword 'CE?LLS'");
+  const std::string new_style = examples::vtk_51(sample());
+  expect_malformed("a.vtk",
+                   replaced(new_style, "OFFSETS vtktypeint64\n0\n8", "OFFSETS vtktypeint64\n0\n7"),
+                   "neither a hexahedron");
+  expect_malformed("a.vtk",
+                   replaced(new_style, "OFFSETS vtktypeint64\n0\n8", "OFFSETS vtktypeint64\n0\n99"),
+                   "offsets of the cells");
+}
+
+TEST(ReadMesh, RefusesMalformedVtu) {
+  const std::string ascii = examples::vtu_ascii(sample());
+  const auto bad = [](const std::string& good, const std::string& from, const std::string& to,
+                      const char* words) {
+    expect_malformed("a.vtu", replaced(good, from, to), words);
+  };
+  expect_malformed("a.vtu", ascii.substr(0, ascii.size() / 2), "not XML");
+  bad(ascii, "UnstructuredGrid\"", "PolyData\"", "a.vtu:2: the type is not");
+  bad(ascii, "LittleEndian", "MiddleEndian", "unknown byte_order");
+  bad(ascii, "NumberOfPoints=\"27\"", "NumberOfPoints=\"26\"", "too long");
+  bad(ascii, "NumberOfPoints=\"27\"", "NumberOfPoints=\"28\"", "too early");
+  bad(ascii, "NumberOfPoints=\"27\"", "NumberOfPoints=\"2147483646\"", "too early");
+  bad(ascii, "NumberOfPoints=\"27\"", "", "natural number");
+  bad(ascii, "Name=\"types\"", "Name=\"kinds\"", "there is no array types");
+  bad(ascii, "Name=\"offsets\"", "Name=\"types\"", "occurs twice");
+  bad(ascii, "\"UInt8\"", "\"Float32\"", "must hold integers");
+  bad(ascii, "NumberOfComponents=\"3\"", "NumberOfComponents=\"2\"", "3 components");
+  bad(ascii, "</Piece>", "</Piece><Piece/>", "more than one element Piece");
+  const std::string coded = examples::vtu_base64(sample());
+  bad(coded, "LittleEndian", "BigEndian", "big-endian");
+  bad(coded, "format=\"binary\">\niAI", "format=\"binary\">\niBI", "length");
+  bad(coded, "format=\"binary\">\niAI", "format=\"binary\">\n!AI", "not base64");
+  bad(coded, "NumberOfPoints=\"27\"", "NumberOfPoints=\"2147483646\"", "length");
+  const std::string raw = examples::vtu_appended_raw(sample());
+  bad(raw, "offset=\"0\"", "offset=\"1\"", "length");
+  bad(raw, "offset=\"0\"", "offset=\"99999999\"", "outside the data");
+  bad(raw, "</AppendedData>", "", "cut");
+  bad(raw, ">\n_", ">\nx_", "does not begin with '_'");
+  bad(kVtkInline, "vtkZLib", "vtkLZ4", "unknown compressor");
+  bad(kVtkInline, "AQAAAACAAAAgAQAAMgAAAA==eF5j", "AQAAAACAAAAgAQAAMgAAAA==eF5k", "damaged");
+  bad(kVtkInline, "AQAAAACAAAAgAQAAMgAAAA==", "////fwCAAAAgAQAAMgAAAA==", "more compressed blocks");
+  bad(kVtkInline, "AQAAAACAAAAgAQAAMgAAAA==", "AQAAAACAAAAgAQAA////fw==", "too early");
+}
+
+TEST(ReadMesh, RefusesMalformedMedit) {
+  const std::string good = examples::medit(sample());
+  const auto bad = [&good](const std::string& from, const std::string& to, const char* words) {
+    expect_malformed("a.mesh", replaced(good, from, to), words);
+  };
+  bad("End", "", "too early");
+  bad("End", "End more", "something follows End");
+  bad("Formatted 2", "Formatted 99", "unknown version");
+  bad("Dimension 3", "Dimension 2", "expected '3'");
+  bad("Hexahedra", "Tetrahedra", "unknown or unsupported keyword 'Tetrahedra'");
+  bad("Quadrilaterals", "Hexahedra", "occurs twice");
+  bad("Vertices\n27", "Vertices\n26", "unknown or unsupported keyword");
+  bad("Quadrilaterals\n24", "Quadrilaterals\n4000000000", "more than the rest");
+  bad(" 27 ", " 28 ", "point 28 is not among the 27 points");
+  bad(" 27 ", " 0 ", "point 0 is not among");
+  bad(" 27 ", " 4294967298 ", "is not among");
+  bad("\nVertices", "\nHexahedra 1 1 2 3 4 5 6 7 8 0\nVertices", "is not among the 0 points");
+}
+
+TEST(ReadMesh, RefusesMalformedGmsh) {
+  const auto bad = [](const std::string& good, const std::string& from, const std::string& to,
+                      const char* words) {
+    expect_malformed("a.msh", replaced(good, from, to), words);
+  };
+  const std::string old_style = examples::gmsh_22(sample());
+  bad(old_style, "2.2 0 8", "2.2 1 8", "expected '0'");
+  bad(old_style, "2.2", "3.0", "unknown version");
+  bad(old_style, "\n2 ", "\n1 ", "zero or occurs twice");
+  bad(old_style, "$EndNodes", "$EndNode", "expected '$EndNodes'");
+  bad(old_style, " 5 2 0 1 1 ", " 5 2 0 1 28 ", "no node with tag 28");
+  bad(old_style, " 5 2 0 1 1 ", " 4 2 0 1 1 ", "Gmsh type 4");
+  bad(old_style, "$EndElements\n", "$EndElements\n$Elements\n0\n$EndElements\n", "misplaced");
+  bad(old_style, "$EndElements\n", "$EndElements\n$More\n", "does not end");
+  const std::string new_style = examples::gmsh_41(sample());
+  bad(new_style, "1 27 1 27", "1 28 1 27", "the number of nodes is wrong");
+  bad(new_style, "1 27 1 27", "1 27 1 26", "outside the stated range");
+  bad(new_style, "2 32 1 32", "2 31 1 32", "the number of elements is wrong");
+  bad(new_style, "3 1 0 27", "4 1 0 27", "starts wrongly");
+}
+
+TEST(ReadMesh, RefusesMalformedPolygons) {
+  expect_malformed("a.obj", "v 0 0\n", "a.obj:1: a point has three");
+  expect_malformed("a.obj", "v 0 0 0\nf 1 1 1\n", "a.obj:2: a face is not a quad");
+  expect_malformed("a.obj", "v 0 0 0\nf 1 1 1 2\n", "point 2 is not among");
+  expect_malformed("a.obj", "v 0 0 0\nf 1 1 1 0\n", "point 0 is not among");
+  expect_malformed("a.obj", "v 0 0 0\nf 1 1 1 -2\n", "point -2 is not among");
+  expect_malformed("a.obj", "v 0 0 0\nf 1 1 1 /1\n", "expected an integer");
+  expect_malformed("a.obj", "curv 0 0 0\n", "unknown record 'curv'");
+  expect_malformed("a.off", "OFF\n1 1 0\n0 0 0\n3 0 0 0\n", "a.off:4: a face is not a quad");
+  expect_malformed("a.off", "OFF\n1 1 0\n0 0 0\n4 0 0 0 1\n", "point 1 is not among");
+  expect_malformed("a.off", "OFF\n1 1 0\n0 0 0\n4 0 0 0 0\n4\n", "something follows");
+  expect_malformed("a.off", "OFF\n1 4000000000 0\n0 0 0\n", "more than the rest");
+  expect_malformed("a.stl", "solid\n", "a mesh file ends in");
+}
+
+TEST(ReadMesh, RefusesWhatIsNoFile) {
+  EXPECT_THROW(static_cast<void>(read_mesh("/no/such/file.vtk")), Malformed);
+  EXPECT_THROW(static_cast<void>(read_mesh("/")), Malformed);
+  EXPECT_THROW(static_cast<void>(read_surface("/dev/zero")), Malformed);
+}
+
+}  // namespace
+}  // namespace hexatlas::check
