@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// Types of cells in mesh files, and the only place where a file's order of the corners of a
+/// cell meets the project's (enum/cells/cube.hpp).
+///
+/// VTK, MEDIT and Gmsh list a hexahedron as its bottom quad, cyclically, then its top quad:
+/// position i of the file is our corner kFileCorner[i]. Sources: the VTK file formats document,
+/// the MEDIT report, the reference manual of Gmsh; confirmed with VTK and Gmsh themselves by
+/// tests/meshing/io/peers_test.py.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "enum/cells/cube.hpp"
+
+namespace hexatlas::io {
+
+inline constexpr std::array<cells::CubeVertex, cells::kCubeVertices> kFileCorner{0, 1, 3, 2,
+                                                                                 4, 5, 7, 6};
+
+enum class CellShape : std::uint8_t {
+  low,         ///< points and edges: ignored everywhere
+  quad,        ///< four corners in cyclic order
+  pixel,       ///< four corners, x + 2y
+  surface,     ///< any other cell of dimension 2
+  hexahedron,  ///< eight corners in the order of kFileCorner
+  voxel,       ///< eight corners, x + 2y + 4z
+  volume,      ///< any other cell of dimension 3
+};
+
+struct CellType {
+  std::string_view name;
+  CellShape shape;
+  int vertices;  ///< 0: any number
+};
+
+inline constexpr CellType kQuad{"quad", CellShape::quad, 4};
+inline constexpr CellType kHexahedron{"hexahedron", CellShape::hexahedron, 8};
+inline constexpr int kVtkQuad = 9;
+inline constexpr int kVtkHexahedron = 12;
+inline constexpr int kGmshQuad = 3;
+inline constexpr int kGmshHexahedron = 5;
+
+/// The cell type with this number in VTK or Gmsh; none if unknown.
+[[nodiscard]] std::optional<CellType> vtk_cell_type(std::int64_t number);
+[[nodiscard]] std::optional<CellType> gmsh_cell_type(std::int64_t number);
+
+/// The type of a polygon with this number of corners.
+[[nodiscard]] CellType polygon_type(std::size_t corners);
+
+}  // namespace hexatlas::io

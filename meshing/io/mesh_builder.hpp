@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// The mesh while a reader fills it: decides which cells are kept, ignored or refused, so that
+/// all formats agree. Points may come after the cells that use them; the upper bound of the
+/// indices is therefore checked at the end.
+///
+/// Errors: InvalidInput at the line of the cell.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "meshing/io/cell_types.hpp"
+#include "meshing/mesh/mesh.hpp"
+
+namespace hexatlas::io {
+
+enum class Wanted : std::uint8_t { surface, hexahedra };
+
+class MeshBuilder {
+ public:
+  MeshBuilder(Wanted wanted, std::string file, int index_base);
+
+  /// Memory for this many further points or wanted cells. Requires: a count checked by the reader.
+  void reserve_points(std::size_t count);
+  void reserve_cells(const CellType& type, std::size_t count);
+
+  void add_point(const mesh::Point& point, std::size_t line);
+
+  /// Keeps, ignores or refuses the cell; indices count from 0.
+  void add_cell(const CellType& declared, std::span<const mesh::Index> vertices, std::size_t line);
+
+  [[nodiscard]] std::size_t point_count() const { return points_.size(); }
+  [[nodiscard]] const std::string& file() const { return file_; }
+  [[nodiscard]] Wanted wanted() const { return wanted_; }
+
+  /// The mesh. Fails if an index is above the last point, or if there is no cell.
+  [[nodiscard]] mesh::SurfaceMesh take_surface();
+  [[nodiscard]] mesh::HexMesh take_hexahedra();
+
+ private:
+  [[noreturn]] void fail(std::size_t line, const std::string& reason) const;
+  void check_vertices(const CellType& type, std::span<const mesh::Index> vertices,
+                      std::size_t line);
+  void check_distinct(const CellType& type, std::span<const mesh::Index> vertices,
+                      std::size_t line) const;
+  void check_complete(bool has_cells, const char* cell) const;
+
+  Wanted wanted_;
+  std::string file_;
+  int index_base_;
+  std::vector<mesh::Point> points_;
+  std::vector<std::array<mesh::Index, 4>> quads_;
+  std::vector<std::uint32_t> quad_line_;
+  std::vector<std::array<mesh::Index, 8>> hexahedra_;
+  std::uint64_t index_bound_ = 0;     ///< least number of points that the cells seen need
+  std::size_t index_bound_line_ = 0;  ///< the line that needs them
+};
+
+}  // namespace hexatlas::io

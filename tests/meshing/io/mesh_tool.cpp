@@ -1,0 +1,107 @@
+// Program for peers_test.py: writes a mesh in a format, or prints the mesh that a file states.
+//   mesh_tool write-hexahedra FORMAT FILE     FORMAT: vtk vtu medit gmsh2 gmsh4
+//   mesh_tool write-surface FORMAT FILE       FORMAT: these, obj, off
+//   mesh_tool print-hexahedra FILE
+//   mesh_tool print-surface FILE
+// The mesh written is a grid of 3 x 2 x 2 skewed hexahedra; the surface is its boundary.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "enum/cells/cube.hpp"
+#include "enum/core/errors.hpp"
+#include "enum/core/files.hpp"
+#include "meshing/io/mesh_files.hpp"
+
+namespace {
+
+using namespace hexatlas;
+
+constexpr std::array<mesh::Index, 3> kCells{3, 2, 2};
+
+mesh::HexMesh make_grid() {
+  mesh::HexMesh mesh;
+  const auto vertex = [](mesh::Index x, mesh::Index y, mesh::Index z) {
+    return x + (kCells[0] + 1) * (y + (kCells[1] + 1) * z);
+  };
+  for (mesh::Index z = 0; z <= kCells[2]; ++z)
+    for (mesh::Index y = 0; y <= kCells[1]; ++y)
+      for (mesh::Index x = 0; x <= kCells[0]; ++x)
+        mesh.points.push_back({x + 0.1 * y, y / 3.0 + 0.01 * z, 1.5 * z + 0.1 * x * y});
+  for (mesh::Index z = 0; z < kCells[2]; ++z)
+    for (mesh::Index y = 0; y < kCells[1]; ++y)
+      for (mesh::Index x = 0; x < kCells[0]; ++x) {
+        auto& hexahedron = mesh.hexahedra.emplace_back();
+        for (mesh::Index v = 0; v < 8; ++v)
+          hexahedron[v] = vertex(x + (v & 1U), y + (v >> 1U & 1U), z + (v >> 2U & 1U));
+      }
+  return mesh;
+}
+
+mesh::SurfaceMesh boundary_of(const mesh::HexMesh& mesh) {
+  std::map<std::array<mesh::Index, 4>, std::array<mesh::Index, 4>> once;
+  for (const auto& hexahedron : mesh.hexahedra)
+    for (const auto& facet : cells::kFacetVertices) {
+      std::array<mesh::Index, 4> quad{};
+      for (std::size_t k = 0; k < 4; ++k) quad[k] = hexahedron[facet[k]];
+      auto key = quad;
+      std::sort(key.begin(), key.end());
+      if (!once.emplace(key, quad).second) once.erase(key);
+    }
+  mesh::SurfaceMesh surface{mesh.points, {}, {}};
+  for (const auto& [key, quad] : once) surface.quads.push_back(quad);
+  return surface;
+}
+
+const std::map<std::string, io::FileFormat> kFormats{
+    {"obj", io::FileFormat::obj},     {"off", io::FileFormat::off},
+    {"vtk", io::FileFormat::vtk},     {"vtu", io::FileFormat::vtu},
+    {"medit", io::FileFormat::medit}, {"gmsh2", io::FileFormat::gmsh},
+    {"gmsh4", io::FileFormat::gmsh}};
+
+template <class Cells>
+void print(const std::vector<mesh::Point>& points, const Cells& cells) {
+  std::printf("%zu %zu\n", points.size(), cells.size());
+  for (const mesh::Point& p : points) std::printf("%.17g %.17g %.17g\n", p.x, p.y, p.z);
+  for (const auto& cell : cells) {
+    for (const mesh::Index index : cell) std::printf("%u ", index);
+    std::printf("\n");
+  }
+}
+
+int run(const std::vector<std::string>& words) {
+  if (words.size() == 2 && words[0] == "print-surface") {
+    const mesh::SurfaceMesh mesh = io::read_surface(words[1]);
+    print(mesh.points, mesh.quads);
+    return 0;
+  }
+  if (words.size() == 2 && words[0] == "print-hexahedra") {
+    const mesh::HexMesh mesh = io::read_hexahedra(words[1]);
+    print(mesh.points, mesh.hexahedra);
+    return 0;
+  }
+  if (words.size() != 3 || !kFormats.contains(words[1])) return 2;
+  const io::FileFormat format = kFormats.at(words[1]);
+  const auto version = words[1] == "gmsh2" ? io::GmshVersion::v2_2 : io::GmshVersion::v4_1;
+  const mesh::HexMesh grid = make_grid();
+  const mesh::SurfaceMesh surface = boundary_of(grid);
+  if (words[0] == "write-hexahedra")
+    io::write_hexahedra(words[2], grid, format, {version, surface.quads});
+  else
+    core::write_file(words[2], io::to_text(surface, format, version));
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run({argv + 1, argv + argc});
+  } catch (const hexatlas::core::InvalidInput& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 3;
+  }
+}

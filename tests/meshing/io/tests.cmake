@@ -1,0 +1,12 @@
+# CMAKE_CURRENT_LIST_DIR is this folder wherever the file is included from.
+foreach(name read malformed round_trip paths replay)
+  hexatlas_test(meshing_io_${name}_test fast
+    SOURCES ${CMAKE_CURRENT_LIST_DIR}/${name}_test.cpp USES meshing_io)
+endforeach()
+target_compile_definitions(meshing_io_replay_test PRIVATE
+  HEXATLAS_TESTS_DIR="${PROJECT_SOURCE_DIR}/tests")
+
+add_executable(meshing_io_mesh_tool ${CMAKE_CURRENT_LIST_DIR}/mesh_tool.cpp)
+target_link_libraries(meshing_io_mesh_tool PRIVATE meshing_io)
+hexatlas_script_test(meshing.io.peers long Python3::Interpreter
+  ${CMAKE_CURRENT_LIST_DIR}/peers_test.py $<TARGET_FILE:meshing_io_mesh_tool>)
