@@ -31,34 +31,52 @@ void ensure_fills(const complex::HexComplex& mesh, const canon::Code& code) {
   core::ensures(wanted == got, "a mesh found has the boundary it was found for");
 }
 
-flips::Beam grow_balls(const GenerateOptions& options,
-                       const std::function<void(const Progress&)>& report) {
-  const auto total = static_cast<std::size_t>(options.max_ball);
-  flips::Beam balls(flips::canonical_state(flips::single_hexahedron()).state, options.balls);
-  while (balls.level() + 1 < options.max_ball) {
-    report({"growing balls", static_cast<std::size_t>(balls.level()) + 1, total});
+using Report = std::function<void(const Progress&)>;
+using Meshes = std::map<canon::Code, complex::HexComplex>;
+
+flips::Beam grow_balls(const Stage& stage, const std::string& name, const Report& report) {
+  const auto total = static_cast<std::size_t>(stage.max_ball);
+  flips::Beam balls(flips::canonical_state(flips::single_hexahedron()).state, stage.balls);
+  while (balls.level() + 1 < stage.max_ball) {
+    report({name + ", balls", static_cast<std::size_t>(balls.level()) + 1, total});
     if (balls.expand_level() == 0) break;
   }
-  report({"growing balls", total, total});
   return balls;
 }
 
-using Meshes = std::map<canon::Code, complex::HexComplex>;
-
-void try_round(const flips::Beam& balls, const canon::Code& code, const CollarRound& round,
-               const GenerateOptions& options, Meshes& meshes) {
-  flips::MeetingOptions meeting;
-  meeting.collars = options.balls;
-  meeting.collars.max_quads = round.max_quads;
-  meeting.collars.fronts_per_class = round.fronts_per_class;
-  meeting.collars.fronts_per_level = round.fronts_per_level;
-  meeting.max_collar = round.max_collar;
+void improve(const flips::Beam& balls, const Stage& stage, const canon::Code& code,
+             Meshes& meshes) {
+  flips::MeetingOptions options{.collars = stage.collars, .max_collar = stage.max_collar};
   const auto known = meshes.find(code);
-  if (known != meshes.end()) meeting.below = static_cast<int>(known->second.hexahedra.size());
-  if (auto filling = flips::best_meeting(balls, code, meeting)) {
+  if (known != meshes.end()) options.below = static_cast<int>(known->second.hexahedra.size());
+  if (auto filling = flips::best_meeting(balls, code, options)) {
     ensure_fills(filling->mesh, code);
     meshes[code] = std::move(filling->mesh);
   }
+}
+
+void run_stage(const Stage& stage, const std::string& name,
+               const std::vector<canon::Code>& boundaries, const Report& report, Meshes& meshes) {
+  std::vector<canon::Code> todo;
+  for (const canon::Code& code : boundaries)
+    if (!stage.only_missing || !meshes.contains(code)) todo.push_back(code);
+  if (todo.empty()) return;
+  const flips::Beam balls = grow_balls(stage, name, report);
+  for (std::size_t i = 0; i < todo.size(); ++i) {
+    report({name + ", collars", i, todo.size()});
+    improve(balls, stage, todo[i], meshes);
+  }
+}
+
+flips::BeamOptions limits(int max_quads, std::size_t per_class, std::size_t per_level,
+                          std::uint64_t seed, int threads) {
+  flips::BeamOptions options;
+  options.max_quads = max_quads;
+  options.fronts_per_class = per_class;
+  options.fronts_per_level = per_level;
+  options.seed = seed;
+  options.threads = threads;
+  return options;
 }
 
 }  // namespace
@@ -83,31 +101,21 @@ std::vector<canon::Code> three_connected_codes(int max_quads) {
   return result;
 }
 
-GenerateOptions default_generate_options() {
-  GenerateOptions options;
-  options.balls.max_quads = 22;
-  options.balls.fronts_per_class = 20;
-  options.balls.fronts_per_level = 200'000;
-  options.max_ball = 56;
-  options.rounds = {{10, 22, 20, 3'000}, {16, 22, 20, 10'000}, {20, 24, 20, 20'000}};
-  return options;
+std::vector<Stage> default_stages(std::uint64_t seed, int threads) {
+  return {
+      {limits(22, 20, 200'000, seed, threads), 72, limits(24, 20, 3'000, seed, threads), 12, false},
+      {limits(22, 20, 200'000, seed, threads), 72, limits(24, 30, 60'000, seed, threads), 26, true},
+      {limits(24, 200, 3'000'000, seed, threads), 26, limits(24, 200, 300'000, seed, threads), 16,
+       false},
+  };
 }
 
-Generated generate(const std::vector<canon::Code>& boundaries, const GenerateOptions& options,
+Generated generate(const std::vector<canon::Code>& boundaries, const std::vector<Stage>& stages,
                    const std::function<void(const Progress&)>& report) {
-  const flips::Beam balls = grow_balls(options, report);
   Meshes meshes;
-  for (std::size_t r = 0; r < options.rounds.size(); ++r) {
-    std::vector<canon::Code> todo;
-    for (const canon::Code& code : boundaries)
-      if (r < options.rounds_for_all || !meshes.contains(code)) todo.push_back(code);
-    const std::string phase = "collars, round " + std::to_string(r + 1);
-    for (std::size_t i = 0; i < todo.size(); ++i) {
-      report({phase, i, todo.size()});
-      try_round(balls, todo[i], options.rounds[r], options, meshes);
-    }
-    report({phase, todo.size(), todo.size()});
-  }
+  for (std::size_t s = 0; s < stages.size(); ++s)
+    run_stage(stages[s], "stage " + std::to_string(s + 1) + " of " + std::to_string(stages.size()),
+              boundaries, report, meshes);
   Generated result;
   for (const canon::Code& code : boundaries) {
     const auto mesh = meshes.find(code);

@@ -2,9 +2,9 @@
 /// \file
 /// Making a table: which boundaries, and the smallest mesh found for each.
 ///
-/// Method. One beam of balls grown from the single hexahedron; then for each boundary collars
-/// inwards until they meet a ball (enum/flips/meeting.hpp). Boundaries without a mesh after the
-/// first round are tried again with wider collars, round by round.
+/// Method. Stage by stage: a beam of balls grown from the single hexahedron, then for each
+/// boundary collars inwards until they meet a ball (enum/flips/meeting.hpp). Deep, narrow balls
+/// give every boundary some mesh; shallow, wide ones with wide collars give small meshes.
 
 #include <cstdint>
 #include <functional>
@@ -24,23 +24,16 @@ namespace hexatlas::build {
 /// 3, 11, 58), which a test checks.
 [[nodiscard]] std::vector<canon::Code> three_connected_codes(int max_quads);
 
-/// One round of collars.
-struct CollarRound {
-  int max_collar = 10;
-  int max_quads = 22;
-  std::size_t fronts_per_class = 20;
-  std::size_t fronts_per_level = 3'000;
+struct Stage {
+  flips::BeamOptions balls;
+  int max_ball = 0;  ///< hexahedra of a ball
+  flips::BeamOptions collars;
+  int max_collar = 0;         ///< hexahedra of a collar
+  bool only_missing = false;  ///< only for boundaries without a mesh so far
 };
 
-struct GenerateOptions {
-  flips::BeamOptions balls;
-  int max_ball = 60;  ///< hexahedra of a ball
-  std::vector<CollarRound> rounds;
-  /// Rounds from this one on are only for boundaries without a mesh.
-  std::size_t rounds_for_all = 1;
-};
-/// The settings of `hexatlas table build`.
-[[nodiscard]] GenerateOptions default_generate_options();
+/// The settings of `hexatlas table build`, with this seed and number of threads.
+[[nodiscard]] std::vector<Stage> default_stages(std::uint64_t seed, int threads);
 
 struct Progress {
   std::string phase;
@@ -54,10 +47,10 @@ struct Generated {
 
 /// The smallest mesh found for each boundary; each one validated under the strict rule and
 /// against its boundary before it is returned (InternalError otherwise).
-/// Deterministic for given options, for any number of threads.
+/// Deterministic for given stages, for any number of threads.
 /// Throws ResourceFailure if a beam outgrows its memory limit.
 [[nodiscard]] Generated generate(const std::vector<canon::Code>& boundaries,
-                                 const GenerateOptions& options,
+                                 const std::vector<Stage>& stages,
                                  const std::function<void(const Progress&)>& report);
 
 }  // namespace hexatlas::build

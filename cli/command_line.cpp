@@ -1,0 +1,233 @@
+#include "cli/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/output.hpp"
+
+namespace hexatlas::cli {
+namespace {
+
+/// Number of insertions, deletions, replacements and exchanges of neighbours.
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i)
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      const std::size_t replaced = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[a.size()][b.size()];
+}
+
+const CLI::App& deepest_parsed(const CLI::App& app) {
+  for (const CLI::App* sub : app.get_subcommands()) return deepest_parsed(*sub);
+  return app;
+}
+
+/// The end of a sentence on a mistyped word: the nearest verb or flag of this command, if any.
+std::string suggestion(const CLI::App& command, const std::string& word) {
+  std::vector<std::string> known;
+  for (const CLI::App* sub : command.get_subcommands({})) known.push_back(sub->get_name());
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  const std::string typed = word.substr(0, word.find('='));
+  std::string best;
+  std::size_t least = std::max<std::size_t>(2, typed.size() / 3) + 1;
+  for (const std::string& name : known)
+    if (const std::size_t d = distance(typed, name); d < least) {
+      least = d;
+      best = name;
+    }
+  return best.empty() ? "." : "; did you mean `" + best + "`?";
+}
+
+std::string verbs_of(const CLI::App& command) {
+  std::string list;
+  for (const CLI::App* sub : command.get_subcommands({}))
+    list += (list.empty() ? "" : ", ") + sub->get_name();
+  return list;
+}
+
+bool lacks_verb(const CLI::App& command) {
+  return command.get_require_subcommand_min() > 0 && command.get_subcommands().empty();
+}
+
+ExitCode wrong_usage(const CLI::App& app, const std::vector<std::string>& words,
+                     const CLI::ParseError& error) {
+  const CLI::App& command = deepest_parsed(app);
+  std::string path;
+  for (const CLI::App* at = &command; at != nullptr; at = at->get_parent())
+    path = at->get_name() + (path.empty() ? "" : " ") + path;
+  const std::vector<std::string> extras = app.remaining(true);
+  std::string unknown;
+  for (const std::string& word : words)
+    if (unknown.empty() && std::find(extras.begin(), extras.end(), word) != extras.end())
+      unknown = word;
+  if (!unknown.empty())
+    say("`" + unknown + "` is unknown to `" + path + "`" + suggestion(command, unknown) + " See `" +
+        path + " --help`.");
+  else
+    say((lacks_verb(command) ? "a verb is needed: " + verbs_of(command)
+                             : std::string(error.what())) +
+        ". See `" + path + " --help`.");
+  return ExitCode::usage;
+}
+
+using Action = std::function<ExitCode()>;
+
+std::string example(const std::string& text) { return "Example:\n  " + text + "\n"; }
+
+void add_mesh(CLI::App& app, Action& action) {
+  auto* mesh = app.add_subcommand("mesh", "Make meshes");
+  mesh->require_subcommand(1);
+  auto* hex = mesh->add_subcommand("hex", "Hexahedral mesh of a ball given by its quad surface");
+  auto options = std::make_shared<MeshHexOptions>();
+  hex->add_option("INPUT", options->input,
+                  "Quad surface: .obj .off .vtk .vtu .mesh .msh, or - for standard input")
+      ->required();
+  hex->add_option("-o,--output", options->output,
+                  "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)")
+      ->required();
+  hex->add_option("--table", options->table, "Table of meshes [the one beside the program]");
+  hex->add_flag("--json", options->json, "Print one JSON object");
+  hex->add_flag("--require-valid", options->require_valid,
+                "Exit with 4 unless every hexahedron is proven valid");
+  hex->footer(example("hexatlas mesh hex pyramid.obj -o pyramid.vtu"));
+  hex->callback([options, &action] { action = [options] { return mesh_hex(*options); }; });
+}
+
+void add_check(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "check",
+      "Judge a hexahedral mesh: strict rule, ball, boundary; shares no code with the mesher");
+  auto options = std::make_shared<CheckOptions>();
+  command->add_option("MESH", options->mesh, "Mesh: .vtu .vtk .mesh .msh")->required();
+  command->add_option("--boundary", options->boundary,
+                      "Quad surface that the mesh must have as its boundary");
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->footer(example("hexatlas check pyramid.vtu --boundary pyramid.obj"));
+  command->callback([options, &action] { action = [options] { return check(*options); }; });
+}
+
+void add_code(CLI::App& app, Action& action) {
+  auto* command =
+      app.add_subcommand("code", "Canonical code and symmetry of a quadrangulated sphere");
+  auto options = std::make_shared<CodeOptions>();
+  command->add_option("SURFACE", options->surface, "Quad surface, at most 64 quads")->required();
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->footer(example("hexatlas code pyramid.obj"));
+  command->callback([options, &action] { action = [options] { return code(*options); }; });
+}
+
+void add_table_readers(CLI::App& table, Action& action) {
+  auto* info = table.add_subcommand("info", "What a table holds");
+  auto info_options = std::make_shared<TableInfoOptions>();
+  info->add_option("TABLE", info_options->table, "Table [the one beside the program]");
+  info->add_flag("--json", info_options->json, "Print one JSON object");
+  info->footer(example("hexatlas table info"));
+  info->callback(
+      [info_options, &action] { action = [info_options] { return table_info(*info_options); }; });
+
+  auto* get = table.add_subcommand("get", "One mesh of a table, as JSON");
+  auto get_options = std::make_shared<TableGetOptions>();
+  auto* name = get->add_option("--name", get_options->name, "Name of a boundary");
+  auto* code = get->add_option("--code", get_options->code, "Canonical code of a boundary");
+  name->excludes(code);
+  get->add_option("--table", get_options->table, "Table [the one beside the program]");
+  get->add_option("-o,--output", get_options->output, "File to write [standard output]");
+  get->footer(example("hexatlas table get --name schneiders-pyramid"));
+  get->callback([get_options, &action] {
+    if (get_options->name.empty() == get_options->code.empty())
+      throw CLI::RequiredError("--name or --code");
+    action = [get_options] { return table_get(*get_options); };
+  });
+
+  auto* check = table.add_subcommand("check", "Judge every mesh of a table anew");
+  auto check_options = std::make_shared<TableCheckOptions>();
+  check->add_option("TABLE", check_options->table, "Table [the one beside the program]");
+  check->footer(example("hexatlas table check"));
+  check->callback([check_options, &action] {
+    action = [check_options] { return table_check(*check_options); };
+  });
+}
+
+void add_table(CLI::App& app, Action& action, const std::string& command_line) {
+  auto* table = app.add_subcommand("table", "Make, read and judge tables of meshes");
+  table->require_subcommand(1);
+  auto* build = table->add_subcommand("build", "Search for meshes and write them as a table");
+  auto options = std::make_shared<TableBuildOptions>();
+  options->command = command_line;
+  build->add_option("-o,--output", options->output, "Table to write (.hxt), with a manifest")
+      ->required();
+  build
+      ->add_option("--max-quads", options->max_quads,
+                   "All 3-connected even quadrangulations with at most this many quads")
+      ->check(CLI::Range(6, 18))
+      ->capture_default_str();
+  build->add_option("--also", options->also, "Further boundaries, by name or canonical code");
+  build
+      ->add_option("--max-ball", options->max_ball,
+                   "Cap on the hexahedra of the balls that collars are matched with; fewer is "
+                   "quicker and finds less")
+      ->check(CLI::Range(1, 200))
+      ->capture_default_str();
+  build->add_option("--seed", options->seed, "Seed of the search")->capture_default_str();
+  build
+      ->add_option("-j,--threads", options->threads,
+                   "Threads [all processors]; the result does not depend on it")
+      ->check(CLI::Range(1, 1024));
+  build->footer(example("hexatlas table build -o my.hxt --max-quads 12 -j 2"));
+  build->callback([options, &action] {
+    if (options->output == "-")
+      throw CLI::ValidationError("--output", "a table and its manifest need the name of a file");
+    action = [options] { return table_build(*options); };
+  });
+  add_table_readers(*table, action);
+}
+
+}  // namespace
+
+ExitCode run_command_line(int argc, char** argv) {
+  CLI::App app{"hexatlas: exact combinatorial enumeration in mesh generation", "hexatlas"};
+  app.set_version_flag("--version", "hexatlas " + version());
+  app.require_subcommand(1);
+  app.footer(
+      "Examples:\n"
+      "  hexatlas mesh hex pyramid.obj -o pyramid.vtu     mesh a quadrangulated ball\n"
+      "  hexatlas check pyramid.vtu --boundary pyramid.obj\n"
+      "  hexatlas table info\n"
+      "Exit codes: 0 done or yes, 1 no, 2 usage, 3 invalid input, 4 undecided, 5 resources.\n");
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  // Manifests should not depend on where the program happened to lie.
+  std::string command_line = "hexatlas";
+  for (const std::string& word : words) command_line += " " + word;
+  Action action;
+  add_mesh(app, action);
+  add_check(app, action);
+  add_code(app, action);
+  add_table(app, action, command_line);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() != 0) return wrong_usage(app, words, error);
+    std::ostringstream help_or_version, unused;
+    app.exit(error, help_or_version, unused);
+    print(help_or_version.str());
+    return ExitCode::yes;
+  }
+  return action();
+}
+
+}  // namespace hexatlas::cli

@@ -1,0 +1,55 @@
+#include "cli/output.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "enum/core/files.hpp"
+
+namespace hexatlas::cli {
+
+std::string version() { return HEXATLAS_VERSION; }
+
+void print(std::string_view text) { core::write_file("-", text); }
+
+std::string to_line(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string counted(std::size_t number, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", number, number == 1 ? one : many);
+}
+
+void say(std::string_view line) { fmt::print(stderr, "hexatlas: {}\n", line); }
+
+void say_fault(std::string_view line) { fmt::print(stderr, "{}\n", line); }
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+ProgressLine::ProgressLine() : is_terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+ProgressLine::~ProgressLine() {
+  if (is_shown_) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressLine::update(const std::string& phase, std::size_t done, std::size_t total) {
+  if (!is_terminal_) return;
+  const double now = seconds();
+  if (phase != phase_) {
+    phase_ = phase;
+    start_ = now;
+  } else if (now - last_ < 0.2) {
+    return;
+  }
+  last_ = now;
+  is_shown_ = true;
+  fmt::print(stderr, "\r\033[K{}: {} of {}, {:.0f} s", phase, done, total, now - start_);
+  std::fflush(stderr);
+}
+
+}  // namespace hexatlas::cli

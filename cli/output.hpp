@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// What the program says, and where: data on standard output, words on standard error.
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+
+namespace hexatlas::cli {
+
+/// "0.1.0".
+[[nodiscard]] std::string version();
+
+/// Data. Throws ResourceFailure if it cannot be written.
+void print(std::string_view text);
+/// One line; bytes that are not UTF-8, which names of files may hold, become U+FFFD.
+[[nodiscard]] std::string to_line(const nlohmann::ordered_json& json);
+/// "1 hexahedron", "36 hexahedra".
+[[nodiscard]] std::string counted(std::size_t number, std::string_view one, std::string_view many);
+/// A word to the user: one line on standard error, after the name of the program.
+void say(std::string_view line);
+/// An error that names its file: one line `file:line: reason` on standard error, as compilers do.
+void say_fault(std::string_view line);
+
+/// A line on a terminal that overwrites itself; silent where standard error is no terminal.
+/// At most a few updates per second; the last line is removed at the end.
+class ProgressLine {
+ public:
+  ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine();
+  void update(const std::string& phase, std::size_t done, std::size_t total);
+
+ private:
+  bool is_terminal_;
+  bool is_shown_ = false;
+  double last_ = 0;  ///< seconds
+  double start_ = 0;
+  std::string phase_;
+};
+
+/// Seconds on a clock that never goes back.
+[[nodiscard]] double seconds();
+
+}  // namespace hexatlas::cli

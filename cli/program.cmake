@@ -1,0 +1,36 @@
+# The program. CLI11 is costly to compile, so one file includes it, without optimization.
+add_executable(hexatlas
+  cli/check.cpp cli/code.cpp cli/command_line.cpp cli/main.cpp cli/mesh_hex.cpp cli/output.cpp
+  cli/table_build.cpp cli/table_path.cpp cli/table_read.cpp)
+target_include_directories(hexatlas PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(hexatlas PRIVATE meshing_hexahedrize meshing_io meshing_quality
+  tables_build tables_check tables_format CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
+set_source_files_properties(cli/command_line.cpp PROPERTIES COMPILE_OPTIONS "-O1")
+set_target_properties(hexatlas PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
+
+# The commit goes into manifests; a build outside a checkout says so.
+execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} describe --always --dirty --abbrev=12
+  OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+if(failed)
+  set(commit unknown)
+endif()
+set_source_files_properties(cli/table_build.cpp PROPERTIES
+  COMPILE_DEFINITIONS "HEXATLAS_COMMIT=\"${commit}\"")
+set_source_files_properties(cli/output.cpp PROPERTIES
+  COMPILE_DEFINITIONS "HEXATLAS_VERSION=\"${PROJECT_VERSION}\"")
+
+# The program finds its tables beside itself.
+file(GLOB tables CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tables/data/*)
+foreach(table ${tables})
+  get_filename_component(name ${table} NAME)
+  add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/tables/${name}
+    COMMAND ${CMAKE_COMMAND} -E copy ${table} ${PROJECT_BINARY_DIR}/tables/${name}
+    DEPENDS ${table} VERBATIM)
+  list(APPEND copied ${PROJECT_BINARY_DIR}/tables/${name})
+endforeach()
+add_custom_target(tables_beside_program ALL DEPENDS ${copied})
+add_dependencies(hexatlas tables_beside_program)
+
+include(GNUInstallDirs)
+install(TARGETS hexatlas)
+install(FILES ${tables} DESTINATION ${CMAKE_INSTALL_DATADIR}/hexatlas/tables)
