@@ -2,38 +2,23 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
-#include "enum/complex/quad_surface.hpp"
 #include "enum/core/errors.hpp"
+#include "meshing/hexahedrize/hexahedrize.hpp"
 #include "meshing/io/mesh_files.hpp"
 
 namespace hexatlas::cli {
 
 ExitCode code(const CodeOptions& options) {
   const mesh::SurfaceMesh surface = io::read_surface(options.surface);
-  const auto result = complex::sphere_of(surface.quads, surface.points.size());
-  if (const auto* law = std::get_if<complex::BrokenLaw>(&result)) {
-    const bool has_line = law->cell && *law->cell < surface.quad_line.size();
-    throw core::InvalidInput(options.surface, has_line ? surface.quad_line[*law->cell] : 0,
-                             law->reason);
-  }
-  std::vector<complex::QuadVertices> quads;
-  for (const auto& quad : std::get<complex::QuadSphere>(result).quads) {
-    if (quads.size() == complex::kMaxQuads)
-      throw core::InvalidInput(options.surface, "has more than 64 quads, the most that have codes");
-    complex::QuadVertices small{};
-    std::transform(quad.begin(), quad.end(), small.begin(),
-                   [](complex::VertexId v) { return static_cast<complex::Vertex>(v); });
-    quads.push_back(small);
-  }
-  const auto boundary = complex::Quadrangulation::from_quads(quads);
-  if (!boundary)
-    throw core::InvalidInput(options.surface,
-                             "two edges join the same two points; such surfaces have no code here");
+  const complex::QuadSphere sphere = hexahedrize::sphere_of(surface, options.surface);
+  if (sphere.quads.size() > complex::kMaxQuads)
+    throw core::InvalidInput(options.surface, "has more than 64 quads, the most that have codes");
+  const auto boundary = hexahedrize::small_form(sphere);
+  if (!boundary) throw core::InvalidInput(options.surface, "has too few quads to have a code");
   const canon::CanonicalForm form = canon::canonical_form(*boundary);
   nlohmann::ordered_json json;
   json["code"] = canon::to_text(form.code);

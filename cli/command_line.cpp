@@ -179,11 +179,16 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
   build->add_option("--also", options->also, "Further boundaries, by name or canonical code");
   build
       ->add_option("--max-ball", options->max_ball,
-                   "Cap on the hexahedra of the balls that collars are matched with; fewer is "
-                   "quicker and finds less")
+                   "Effort: hexahedra of the balls that collars are matched with, at most; "
+                   "fewer is quicker and finds less")
       ->check(CLI::Range(1, 200))
       ->capture_default_str();
-  build->add_option("--seed", options->seed, "Seed of the search")->capture_default_str();
+  build->add_option("--max-collar", options->max_collar, "Effort: hexahedra of a collar, at most")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
+  build->add_option("--seed", options->seed, "Seed of the search")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   build
       ->add_option("-j,--threads", options->threads,
                    "Threads [all processors]; the result does not depend on it")

@@ -45,7 +45,8 @@ struct TableBuildOptions {
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all processors
   std::vector<std::string> also;
-  int max_ball = 72;  ///< cap on the hexahedra of the balls grown first
+  int max_ball = 72;    ///< cap on the hexahedra of the balls grown first
+  int max_collar = 26;  ///< cap on the hexahedra of the collars
   std::string command;
 };
 [[nodiscard]] ExitCode table_build(const TableBuildOptions& options);

@@ -57,12 +57,13 @@ ExitCode deliver(const MeshHexOptions& options, std::size_t quads,
   const std::string text = options.json ? json_line(quads, made, report, seconds() - start)
                                         : summary(quads, made, report, options.output);
   if (options.output == "-")
-    fmt::print(stderr, "{}", text);
+    say_text(text);
   else
     print(text);
   if (!options.require_valid || report.valid == report.hexahedra) return ExitCode::yes;
-  say(fmt::format("{} of {} hexahedra are not proven valid; the mesh was written all the same",
-                  report.hexahedra - report.valid, report.hexahedra));
+  say(fmt::format("{} not proven valid, of {}; the mesh was written all the same",
+                  counted(report.hexahedra - report.valid, "hexahedron is", "hexahedra are"),
+                  report.hexahedra));
   return ExitCode::undecided;
 }
 

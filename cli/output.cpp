@@ -23,9 +23,14 @@ std::string counted(std::size_t number, std::string_view one, std::string_view m
   return fmt::format("{} {}", number, number == 1 ? one : many);
 }
 
-void say(std::string_view line) { fmt::print(stderr, "hexatlas: {}\n", line); }
+void say_text(std::string_view text) {
+  // Where words cannot be written, there is nobody to tell: the exit code still answers.
+  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
+}
 
-void say_fault(std::string_view line) { fmt::print(stderr, "{}\n", line); }
+void say(std::string_view line) { say_text(fmt::format("hexatlas: {}\n", line)); }
+
+void say_fault(std::string_view line) { say_text(fmt::format("{}\n", line)); }
 
 double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -34,7 +39,7 @@ double seconds() {
 ProgressLine::ProgressLine() : is_terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {
-  if (is_shown_) std::fputs("\r\033[K", stderr);
+  if (is_shown_) say_text("\r\033[K");
 }
 
 void ProgressLine::update(const std::string& phase, std::size_t done, std::size_t total) {
@@ -48,7 +53,7 @@ void ProgressLine::update(const std::string& phase, std::size_t done, std::size_
   }
   last_ = now;
   is_shown_ = true;
-  fmt::print(stderr, "\r\033[K{}: {} of {}, {:.0f} s", phase, done, total, now - start_);
+  say_text(fmt::format("\r\033[K{}: {} of {}, {:.0f} s", phase, done, total, now - start_));
   std::fflush(stderr);
 }
 

@@ -18,6 +18,8 @@ void print(std::string_view text);
 [[nodiscard]] std::string to_line(const nlohmann::ordered_json& json);
 /// "1 hexahedron", "36 hexahedra".
 [[nodiscard]] std::string counted(std::size_t number, std::string_view one, std::string_view many);
+/// Words on standard error, as they stand; no error if they cannot be written.
+void say_text(std::string_view text);
 /// A word to the user: one line on standard error, after the name of the program.
 void say(std::string_view line);
 /// An error that names its file: one line `file:line: reason` on standard error, as compilers do.

@@ -65,11 +65,14 @@ std::vector<format::TableRowName> names_among(const std::vector<format::TableRow
 }  // namespace
 
 ExitCode table_build(const TableBuildOptions& options) {
-  const std::vector<canon::Code> codes = boundaries(options);
   expect_folder_of(options.output);
+  const std::vector<canon::Code> codes = boundaries(options);
   const int threads = options.threads > 0 ? options.threads : parallel::available_threads();
   std::vector<build::Stage> stages = build::default_stages(options.seed, threads);
-  for (build::Stage& stage : stages) stage.max_ball = std::min(stage.max_ball, options.max_ball);
+  for (build::Stage& stage : stages) {
+    stage.max_ball = std::min(stage.max_ball, options.max_ball);
+    stage.max_collar = std::min(stage.max_collar, options.max_collar);
+  }
   build::Generated made;
   {
     ProgressLine progress;

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace hexatlas::cells {
 
@@ -36,5 +37,13 @@ inline constexpr std::array<std::array<CubeVertex, 4>, kCubeFacets> kFacetVertic
 /// A bottom quad b0 b1 b2 b3, counter-clockwise from outside, and the top vertices above them:
 /// kCornerOfPrism[i] is the cube vertex of b_i, kCornerOfPrism[4 + i] that of t_i.
 inline constexpr std::array<CubeVertex, kCubeVertices> kCornerOfPrism{0, 2, 3, 1, 4, 6, 7, 5};
+
+/// Exchanges the first two axes of the numbering: of a hexahedron's vertices, listed by corner,
+/// it makes its mirror image on the same vertices. A left-handed one becomes right-handed.
+template <class Vertex>
+constexpr void exchange_axes(std::array<Vertex, kCubeVertices>& vertex_at) noexcept {
+  std::swap(vertex_at[1], vertex_at[2]);
+  std::swap(vertex_at[5], vertex_at[6]);
+}
 
 }  // namespace hexatlas::cells

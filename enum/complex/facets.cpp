@@ -31,4 +31,9 @@ bool are_opposite(const BoundaryQuad& a, const BoundaryQuad& b) noexcept {
   return true;
 }
 
+BoundaryQuad from_least(BoundaryQuad cycle) noexcept {
+  std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+  return cycle;
+}
+
 }  // namespace hexatlas::complex

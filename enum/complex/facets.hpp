@@ -23,4 +23,7 @@ struct Facet {
 /// Whether the second cycle is the first one reversed, up to rotation.
 [[nodiscard]] bool are_opposite(const BoundaryQuad& a, const BoundaryQuad& b) noexcept;
 
+/// The same cycle, starting at its least vertex.
+[[nodiscard]] BoundaryQuad from_least(BoundaryQuad cycle) noexcept;
+
 }  // namespace hexatlas::complex

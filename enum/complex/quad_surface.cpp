@@ -166,7 +166,7 @@ std::optional<std::string> reason_against_filling(const QuadSphere& sphere) {
     return "the boundary is not 3-connected: points " +
            edge_name(sphere.point_of[(*twice)[0]], sphere.point_of[(*twice)[1]]) +
            " are opposite in two quads, which hexahedra that meet in one vertex, edge or quad "
-           "cannot have";
+           "cannot have (points counted from 0)";
   return std::nullopt;
 }
 

@@ -36,7 +36,8 @@ struct QuadSphere {
 
 /// Why no hexahedral mesh under the strict rule can have this boundary, in one sentence, or
 /// nullopt if no reason is known: an odd number of quads, fewer than 6, or not 3-connected.
-/// Proofs: docs/theory/proofs/parity.md, three-connected.md. Vertices are named as given points, from 0.
+/// Proofs: docs/theory/proofs/parity.md, three-connected.md. Vertices are named as given points,
+/// from 0.
 [[nodiscard]] std::optional<std::string> reason_against_filling(const QuadSphere& sphere);
 
 }  // namespace hexatlas::complex

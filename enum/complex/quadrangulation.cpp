@@ -24,15 +24,17 @@ std::variant<Quadrangulation, BrokenLaw> assemble(std::span<const QuadVertices> 
   std::array<std::array<Dart, kMaxVertices>, kMaxVertices> dart_between{};
   std::array<std::bitset<kMaxVertices>, kMaxVertices> known;
   for (std::size_t q = 0; q < quads.size(); ++q)
+    for (const Vertex v : quads[q])
+      if (v >= vertices)
+        return BrokenLaw{"a sphere of " + std::to_string(quads.size()) + " quads has " +
+                             std::to_string(vertices) + " vertices, but vertex " +
+                             std::to_string(v) + " occurs",
+                         q};
+  for (std::size_t q = 0; q < quads.size(); ++q)
     for (std::size_t i = 0; i < 4; ++i) {
       const Vertex a = quads[q][i];
       const Vertex b = quads[q][(i + 1) % 4];
-      if (a >= vertices)
-        return BrokenLaw{"a sphere of " + std::to_string(quads.size()) + " quads has " +
-                             std::to_string(vertices) + " vertices, but vertex " +
-                             std::to_string(a) + " occurs",
-                         q};
-      if (a == b || b >= vertices) return BrokenLaw{"an edge joins a vertex to itself", q};
+      if (a == b) return BrokenLaw{"an edge joins a vertex to itself", q};
       if (known[a][b])
         return BrokenLaw{"edge " + edge_name(a, b) + " is used twice in the same direction", q};
       known[a].set(b);

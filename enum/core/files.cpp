@@ -61,6 +61,15 @@ void flush_folder(const std::filesystem::path& folder) {
   if (fd.get() >= 0) ::fsync(fd.get());
 }
 
+/// The mode of a file that is replaced, or that of a new file.
+mode_t mode_for(const std::filesystem::path& target) {
+  struct stat status {};
+  if (::stat(target.c_str(), &status) == 0) return status.st_mode & 07777;
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
 void replace_file(const std::filesystem::path& target, std::string_view bytes) {
   const std::filesystem::path folder =
       target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
@@ -69,9 +78,7 @@ void replace_file(const std::filesystem::path& target, std::string_view bytes) {
   if (fd.get() < 0) throw InvalidInput(target.string(), "cannot be created: " + system_message());
   try {
     write_all(fd.get(), bytes, target.string());
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    if (::fchmod(fd.get(), 0666 & ~mask) != 0 || ::fsync(fd.get()) != 0)
+    if (::fchmod(fd.get(), mode_for(target)) != 0 || ::fsync(fd.get()) != 0)
       throw ResourceFailure(target.string() + ": cannot be written: " + system_message());
     if (::rename(temporary.c_str(), target.c_str()) != 0)
       throw InvalidInput(target.string(), "cannot be replaced: " + system_message());
@@ -101,7 +108,7 @@ void write_file(const std::string& path, std::string_view bytes) {
   if (::stat(path.c_str(), &status) != 0) return replace_file(path, bytes);
   if (S_ISDIR(status.st_mode)) throw InvalidInput(path, "is a directory");
   if (S_ISREG(status.st_mode)) {
-    if (::access(path.c_str(), W_OK) != 0)
+    if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
       throw InvalidInput(path, "cannot be written: " + system_message());
     return replace_file(std::filesystem::canonical(path), bytes);
   }

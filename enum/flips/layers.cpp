@@ -4,16 +4,6 @@
 #include "enum/flips/beam.hpp"
 
 namespace hexatlas::flips {
-namespace {
-
-/// Exchanges two axes of the numbering: a left-handed hexahedron becomes right-handed.
-void mirror(complex::Hexahedron& cell) noexcept {
-  std::swap(cell[1], cell[2]);
-  std::swap(cell[5], cell[6]);
-}
-
-}  // namespace
-
 Layers layers_along(const Beam& beam, FrontId id, Growth growth) {
   const auto path = beam.path_to(id);
   Layers result;
@@ -50,7 +40,7 @@ Layers layers_along(const Beam& beam, FrontId id, Growth growth) {
       cell[cells::kCornerOfPrism[i]] = inward ? bottom : top;
       cell[cells::kCornerOfPrism[4 + i]] = inward ? top : bottom;
     }
-    if (result.is_mirrored) mirror(cell);
+    if (result.is_mirrored) cells::exchange_axes(cell);
     result.hexahedra.push_back(cell);
     result.rim = std::move(rim);
     result.is_mirrored = result.is_mirrored != canonical.is_mirrored;

@@ -4,7 +4,9 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "enum/cells/cube.hpp"
 #include "enum/core/checks.hpp"
+#include "enum/parallel/parallel_for.hpp"
 
 namespace hexatlas::flips {
 namespace {
@@ -27,11 +29,6 @@ std::vector<Automorphism> automorphisms_of(const canon::Code& code) {
     result.push_back({canon::labelling_from(q, flag), flag.mirrored});
   }
   return result;
-}
-
-void mirror(Hexahedron& cell) noexcept {
-  std::swap(cell[1], cell[2]);
-  std::swap(cell[5], cell[6]);
 }
 
 /// Renumbers the vertices: those listed in `first` get 0, 1, ...; the others follow in the order of
@@ -57,44 +54,79 @@ struct Meeting {
   int hexahedra = 0;
 };
 
+/// The balls of one class, in every position that the symmetries of their boundary allow.
+struct Fillings {
+  struct Position {
+    Scars scars;
+    std::uint32_t ball = 0;  ///< index into `balls`
+    std::uint32_t turn = 0;  ///< index into `automorphisms`
+  };
+  std::vector<FrontRecord> balls;
+  std::vector<Automorphism> automorphisms;
+  std::vector<Position> positions;  ///< in order of level
+};
+
 /// Looks the cavities of one level of collars up among the balls.
 class Matcher {
  public:
-  Matcher(const Beam& balls, int below) : balls_(balls), below_(below) {}
+  Matcher(const Beam& balls, int below, int threads)
+      : balls_(balls), below_(below), threads_(threads) {}
 
-  void match(const Beam& collars, FrontId collar) {
-    const State cavity = collars.state(collar);
-    Fillings& known = fillings(cavity.code);
-    for (const FrontRecord& ball : known.balls) {
-      const int hexahedra = collars.level_of(collar) + ball.level + 1;
-      if (hexahedra >= below_) return;  // balls come in order of level
-      for (const Automorphism& turn : known.automorphisms)
-        if (ball.scars.renamed(turn.label).is_disjoint_from(cavity.scars)) {
-          best_ = Meeting{ball.id, collar, turn, hexahedra};
-          below_ = hexahedra;
-          return;
+  /// Keeps the least meeting; of equal ones that of the first collar and its first position.
+  void match_level(const Beam& collars) {
+    const auto frontier = collars.frontier();
+    for (const FrontId collar : frontier) add_class(collars.state(collar).code);
+    constexpr std::size_t kCollarsPerChunk = 512;
+    std::vector<std::optional<Meeting>> found((frontier.size() + kCollarsPerChunk - 1) /
+                                              kCollarsPerChunk);
+    parallel::parallel_for(threads_, found.size(), [&](std::size_t c) {
+      const std::size_t begin = c * kCollarsPerChunk;
+      const std::size_t count = std::min(kCollarsPerChunk, frontier.size() - begin);
+      int below = below_;
+      for (const FrontId collar : frontier.subspan(begin, count))
+        if (const auto meeting = match(collars, collar, below)) {
+          found[c] = meeting;
+          below = meeting->hexahedra;
         }
-    }
+    });
+    for (const auto& meeting : found)
+      if (meeting && meeting->hexahedra < below_) {
+        best_ = meeting;
+        below_ = meeting->hexahedra;
+      }
   }
   [[nodiscard]] const std::optional<Meeting>& best() const noexcept { return best_; }
   [[nodiscard]] int below() const noexcept { return below_; }
 
  private:
-  struct Fillings {
-    std::vector<FrontRecord> balls;
-    std::vector<Automorphism> automorphisms;
-  };
-  Fillings& fillings(const canon::Code& code) {
+  void add_class(const canon::Code& code) {
     const auto [place, is_new] = known_.try_emplace(code);
-    if (is_new) {
-      place->second.balls = balls_.fronts_of(code);
-      if (!place->second.balls.empty()) place->second.automorphisms = automorphisms_of(code);
+    if (!is_new) return;
+    Fillings& own = place->second;
+    own.balls = balls_.fronts_of(code);
+    if (own.balls.empty()) return;
+    own.automorphisms = automorphisms_of(code);
+    for (std::uint32_t ball = 0; ball < own.balls.size(); ++ball)
+      for (std::uint32_t turn = 0; turn < own.automorphisms.size(); ++turn)
+        own.positions.push_back(
+            {own.balls[ball].scars.renamed(own.automorphisms[turn].label), ball, turn});
+  }
+  [[nodiscard]] std::optional<Meeting> match(const Beam& collars, FrontId collar, int below) const {
+    const State cavity = collars.state(collar);
+    const Fillings& own = known_.at(cavity.code);
+    for (const Fillings::Position& position : own.positions) {
+      const FrontRecord& ball = own.balls[position.ball];
+      const int hexahedra = collars.level_of(collar) + ball.level + 1;
+      if (hexahedra >= below) return std::nullopt;
+      if (position.scars.is_disjoint_from(cavity.scars))
+        return Meeting{ball.id, collar, own.automorphisms[position.turn], hexahedra};
     }
-    return place->second;
+    return std::nullopt;
   }
 
   const Beam& balls_;
   int below_;
+  int threads_;
   std::optional<Meeting> best_;
   std::unordered_map<canon::Code, Fillings> known_;
 };
@@ -115,7 +147,7 @@ Filling assemble(const Beam& balls, const Beam& collars, const Meeting& meeting)
   std::reverse(ball.hexahedra.begin(), ball.hexahedra.end());  // the last one is taken off first
   for (Hexahedron moved : ball.hexahedra) {
     for (std::uint32_t& v : moved) v = number[v];
-    if (turned) mirror(moved);
+    if (turned) cells::exchange_axes(moved);
     cells.push_back(moved);
   }
   const auto path = collars.path_to(meeting.collar);
@@ -130,20 +162,23 @@ Filling assemble(const Beam& balls, const Beam& collars, const Meeting& meeting)
 Filling filling_of(const Beam& balls, FrontId id) {
   Layers layers = layers_along(balls, id, Growth::outward);
   if (layers.is_mirrored)
-    for (Hexahedron& cell : layers.hexahedra) mirror(cell);
+    for (Hexahedron& cell : layers.hexahedra) cells::exchange_axes(cell);
   std::reverse(layers.hexahedra.begin(), layers.hexahedra.end());
   return {renumbered(std::move(layers.hexahedra), layers.vertices, layers.rim)};
 }
 
 std::optional<Filling> best_meeting(const Beam& balls, const canon::Code& target,
                                     const MeetingOptions& options) {
+  const auto boundary = canon::decode(target);
+  core::expects(boundary && boundary->is_three_connected(),
+                "only a 3-connected boundary has a filling");
   Beam collars(State{target, {}}, options.collars);
-  Matcher matcher(balls, options.below);
+  Matcher matcher(balls, options.below, options.collars.threads);
   std::size_t size = 1;
   for (int depth = 0; depth <= options.max_collar && size > 0; ++depth) {
     if (depth > 0) size = collars.expand_level();
     if (depth + 1 >= matcher.below()) break;
-    for (const FrontId collar : collars.frontier()) matcher.match(collars, collar);
+    matcher.match_level(collars);
   }
   if (!matcher.best()) return std::nullopt;
   return assemble(balls, collars, *matcher.best());

@@ -34,7 +34,8 @@ struct MeetingOptions {
 };
 
 /// The least filling of `target` among all meetings of a collar with a ball of `balls`, or
-/// nullopt. Requires that `balls` was grown from the single hexahedron.
+/// nullopt. Requires that `balls` was grown from the single hexahedron and that `target` is the
+/// code of a 3-connected quadrangulation: the scars say nothing of faults of the boundary itself.
 /// Not promised: minimality beyond what the two beams contain.
 /// Deterministic for given options, for any number of threads.
 [[nodiscard]] std::optional<Filling> best_meeting(const Beam& balls, const canon::Code& target,

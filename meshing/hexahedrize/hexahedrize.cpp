@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "enum/canon/code.hpp"
+#include "enum/cells/cube.hpp"
+#include "enum/complex/facets.hpp"
 #include "enum/complex/hex_complex.hpp"
 #include "enum/complex/quad_surface.hpp"
 #include "enum/complex/quadrangulation.hpp"
@@ -18,15 +20,6 @@ namespace {
 using complex::BoundaryQuad;
 using complex::QuadSphere;
 using mesh::Point;
-
-QuadSphere sphere_of(const mesh::SurfaceMesh& surface, const std::string& file) {
-  auto result = complex::sphere_of(surface.quads, surface.points.size());
-  if (const auto* law = std::get_if<complex::BrokenLaw>(&result)) {
-    const bool has_line = law->cell && *law->cell < surface.quad_line.size();
-    throw core::InvalidInput(file, has_line ? surface.quad_line[*law->cell] : 0, law->reason);
-  }
-  return std::get<QuadSphere>(std::move(result));
-}
 
 /// Whether the surface encloses a negative volume, that is, faces inwards. Coordinates are
 /// scaled first so that nothing overflows; a volume too small to have a clear sign counts as
@@ -65,23 +58,6 @@ void turn_over(QuadSphere& sphere) {
   for (auto& quad : sphere.quads) std::swap(quad[1], quad[3]);
 }
 
-std::optional<complex::Quadrangulation> small_form(const QuadSphere& sphere) {
-  if (sphere.quads.size() > complex::kMaxQuads) return std::nullopt;
-  std::vector<complex::QuadVertices> quads;
-  for (const auto& quad : sphere.quads) {
-    complex::QuadVertices small{};
-    std::transform(quad.begin(), quad.end(), small.begin(),
-                   [](complex::VertexId v) { return static_cast<complex::Vertex>(v); });
-    quads.push_back(small);
-  }
-  return complex::Quadrangulation::from_quads(quads);
-}
-
-BoundaryQuad from_least(BoundaryQuad quad) {
-  std::rotate(quad.begin(), std::min_element(quad.begin(), quad.end()), quad.end());
-  return quad;
-}
-
 /// The table's mesh in the sphere's own vertices: canonical label c is vertex_of[c].
 complex::HexComplex carried_over(complex::HexComplex mesh, const canon::CanonicalForm& form,
                                  std::size_t boundary_vertices) {
@@ -90,9 +66,7 @@ complex::HexComplex carried_over(complex::HexComplex mesh, const canon::Canonica
   for (std::uint32_t v = 0; v < boundary_vertices; ++v) vertex[form.label[v]] = v;
   for (auto& cell : mesh.hexahedra) {
     for (auto& v : cell) v = vertex[v];
-    if (!form.is_mirrored) continue;
-    std::swap(cell[1], cell[2]);  // exchanging two axes turns a mirror image right-handed again
-    std::swap(cell[5], cell[6]);
+    if (form.is_mirrored) cells::exchange_axes(cell);  // a mirror image, right-handed again
   }
   return mesh;
 }
@@ -101,7 +75,7 @@ void ensure_boundary(const complex::HexComplex& mesh, const QuadSphere& sphere) 
   std::vector<BoundaryQuad> got = complex::boundary_of(mesh);
   std::vector<BoundaryQuad> wanted = sphere.quads;
   for (auto* quads : {&got, &wanted}) {
-    std::transform(quads->begin(), quads->end(), quads->begin(), from_least);
+    std::transform(quads->begin(), quads->end(), quads->begin(), complex::from_least);
     std::sort(quads->begin(), quads->end());
   }
   core::ensures(got == wanted, "the mesh from the table has the boundary asked for");
@@ -126,6 +100,29 @@ Hexahedrized with_coordinates(const complex::HexComplex& cells, const QuadSphere
 }
 
 }  // namespace
+
+QuadSphere sphere_of(const mesh::SurfaceMesh& surface, const std::string& file) {
+  auto result = complex::sphere_of(surface.quads, surface.points.size());
+  if (const auto* law = std::get_if<complex::BrokenLaw>(&result)) {
+    const bool has_line = law->cell && *law->cell < surface.quad_line.size();
+    // A law broken at a quad names points; formats differ in the number of the first one.
+    throw core::InvalidInput(file, has_line ? surface.quad_line[*law->cell] : 0,
+                             law->reason + (law->cell ? " (points counted from 0)" : ""));
+  }
+  return std::get<QuadSphere>(std::move(result));
+}
+
+std::optional<complex::Quadrangulation> small_form(const QuadSphere& sphere) {
+  if (sphere.quads.size() > complex::kMaxQuads) return std::nullopt;
+  std::vector<complex::QuadVertices> quads;
+  for (const auto& quad : sphere.quads) {
+    complex::QuadVertices small{};
+    std::transform(quad.begin(), quad.end(), small.begin(),
+                   [](complex::VertexId v) { return static_cast<complex::Vertex>(v); });
+    quads.push_back(small);
+  }
+  return complex::Quadrangulation::from_quads(quads);
+}
 
 Answer hexahedrize(const mesh::SurfaceMesh& surface, const format::Table& table,
                    const std::string& file) {

@@ -8,9 +8,12 @@
 /// promised about the shape of the hexahedra; meshing/quality says what it is.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <variant>
 
+#include "enum/complex/quad_surface.hpp"
+#include "enum/complex/quadrangulation.hpp"
 #include "meshing/mesh/mesh.hpp"
 #include "tables/format/table.hpp"
 
@@ -46,6 +49,14 @@ struct Answer {
   std::variant<Hexahedrized, Impossible, NotInTable> outcome;
   SurfaceNotes notes;
 };
+
+/// The sphere that the quads form; `file` stands for the surface in messages.
+/// Throws InvalidInput if they form none, with the line of the quad at fault where it is known.
+[[nodiscard]] complex::QuadSphere sphere_of(const mesh::SurfaceMesh& surface,
+                                            const std::string& file);
+
+/// The sphere as codes need it; nullopt above complex::kMaxQuads quads.
+[[nodiscard]] std::optional<complex::Quadrangulation> small_form(const complex::QuadSphere& sphere);
 
 /// `file` stands for the surface in messages.
 /// Throws InvalidInput if the surface is not a quadrangulated sphere, with the line of the quad

@@ -5,16 +5,12 @@
 #include <optional>
 #include <set>
 
+#include "enum/complex/facets.hpp"
 #include "enum/core/checks.hpp"
 #include "enum/flips/meeting.hpp"
 
 namespace hexatlas::build {
 namespace {
-
-complex::BoundaryQuad from_least(complex::BoundaryQuad quad) {
-  std::rotate(quad.begin(), std::min_element(quad.begin(), quad.end()), quad.end());
-  return quad;
-}
 
 /// A mesh leaves the search only if it obeys the laws and has the boundary asked for.
 void ensure_fills(const complex::HexComplex& mesh, const canon::Code& code) {
@@ -25,9 +21,9 @@ void ensure_fills(const complex::HexComplex& mesh, const canon::Code& code) {
   const auto boundary = canon::decode(code).value();
   for (int q = 0; q < boundary.quads(); ++q) {
     const auto v = boundary.vertices_of(q);
-    wanted.insert(from_least({v[0], v[1], v[2], v[3]}));
+    wanted.insert(complex::from_least({v[0], v[1], v[2], v[3]}));
   }
-  for (const auto& quad : complex::boundary_of(mesh)) got.insert(from_least(quad));
+  for (const auto& quad : complex::boundary_of(mesh)) got.insert(complex::from_least(quad));
   core::ensures(wanted == got, "a mesh found has the boundary it was found for");
 }
 
@@ -83,17 +79,17 @@ flips::BeamOptions limits(int max_quads, std::size_t per_class, std::size_t per_
 
 std::vector<canon::Code> three_connected_codes(int max_quads) {
   core::expects(max_quads <= 18, "flips list boundaries of up to 18 quads");
+  const int widest = std::max(max_quads + 6, 20);  // 18 misses a boundary of 12 quads
   std::set<canon::Code> known{canon::canonical_form(complex::Quadrangulation::cube()).code};
   std::vector<canon::Code> todo(known.begin(), known.end());
   while (!todo.empty()) {
     const flips::Front front = flips::front_of({todo.back(), {}});
     todo.pop_back();
-    flips::for_each_glueable(
-        front, max_quads + 6, [&](flips::Flip flip, const flips::Prism& prism) {
-          const auto next = flips::flipped(front.boundary, flip, prism).quadrangulation;
-          const canon::Code code = canon::canonical_form(next).code;
-          if (known.insert(code).second) todo.push_back(code);
-        });
+    flips::for_each_glueable(front, widest, [&](flips::Flip flip, const flips::Prism& prism) {
+      const auto next = flips::flipped(front.boundary, flip, prism).quadrangulation;
+      const canon::Code code = canon::canonical_form(next).code;
+      if (known.insert(code).second) todo.push_back(code);
+    });
   }
   std::vector<canon::Code> result;
   for (const canon::Code& code : known)

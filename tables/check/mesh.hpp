@@ -3,10 +3,10 @@
 /// The judge's own readers of mesh files. They share no code with the readers of the mesher, so
 /// that an error of those cannot hide itself.
 ///
-/// Formats, by the ending of the name: `.vtk` (legacy, ASCII, versions 2.0, 3.0, 4.2, 5.1,
-/// UNSTRUCTURED_GRID), `.vtu` (ASCII; base64 inline; appended raw or base64; uncompressed or
-/// zlib; little-endian), `.mesh` (MEDIT, ASCII), `.msh` (Gmsh 2.2 and 4.1, ASCII), and for surfaces
-/// also `.obj` and `.off`.
+/// Formats, by the ending of the name, in either case: `.vtk` (legacy, ASCII,
+/// versions 2.0, 3.0, 4.2, 5.1, UNSTRUCTURED_GRID), `.vtu` (ASCII; base64 inline; appended raw or
+/// base64; uncompressed or zlib; little-endian), `.mesh` (MEDIT, ASCII), `.msh` (Gmsh 2.2 and 4.1,
+/// ASCII), and for surfaces also `.obj` and `.off`.
 ///
 /// Points keep the order of the file. Of the cells, hexahedra and quads are kept; isolated points
 /// and line segments are passed over, since they carry no part of a mesh; any other cell is

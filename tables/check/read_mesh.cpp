@@ -8,8 +8,12 @@ namespace hexatlas::check {
 
 namespace {
 
+/// In lower case.
 std::string ending(const std::string& name) {
-  return std::filesystem::path(name).extension().string();
+  std::string result = std::filesystem::path(name).extension().string();
+  for (char& c : result)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return result;
 }
 
 }  // namespace

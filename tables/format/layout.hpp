@@ -29,4 +29,11 @@ inline constexpr std::size_t kSectionSize = 32;
 inline constexpr std::size_t kEntryFields = 8;  ///< after the key
 inline constexpr std::size_t kDirectoryEntrySize = 16;
 
+/// Names have the characters a-z, 0-9 and '-', at least one and at most 255.
+[[nodiscard]] constexpr bool is_name(std::string_view name) noexcept {
+  constexpr std::string_view kCharacters = "abcdefghijklmnopqrstuvwxyz0123456789-";
+  return !name.empty() && name.size() < 256 &&
+         name.find_first_not_of(kCharacters) == std::string_view::npos;
+}
+
 }  // namespace hexatlas::format::layout

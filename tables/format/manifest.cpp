@@ -48,7 +48,8 @@ std::string manifest_text(const Table& table, const Provenance& provenance) {
   json["seed"] = provenance.seed;
   json["program"] = provenance.program;
   json["commit"] = provenance.commit;
-  return json.dump(2) + "\n";
+  // A command line may hold bytes that are not UTF-8.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 ManifestClaims read_manifest(const std::string& path) {

@@ -19,6 +19,9 @@
 namespace hexatlas::format {
 namespace {
 
+/// Length, encoding, and 65,535 hexahedra as cells: what is larger is not allocated.
+constexpr std::size_t kMaxRecordSize = 4 + 1 + 16 * std::size_t{65'535};
+
 /// A file mapped read-only for the lifetime of the object.
 class MappedFile {
  public:
@@ -139,9 +142,11 @@ void Table::Content::read_names(std::size_t at, std::size_t count) {
     const std::size_t ordinal = get<std::uint32_t>(bytes, at);
     const std::size_t length = get<std::uint8_t>(bytes, at + 4);
     at += 5;
-    if (bytes.size() - at < length || ordinal >= entries)
+    const std::string_view text = bytes.substr(at, length);
+    const bool ascends = names.empty() || names.back().name < text;
+    if (text.size() < length || ordinal >= entries || !ascends || !layout::is_name(text))
       refuse("is damaged: name " + std::to_string(i) + " is inconsistent");
-    names.push_back({std::string(bytes.substr(at, length)), ordinal});
+    names.push_back({std::string(text), ordinal});
     at += length;
   }
   if (at != bytes.size()) refuse("is damaged: bytes follow the names");
@@ -181,7 +186,13 @@ std::string Table::Content::block(std::size_t number) const {
   const std::size_t at = directory + number * layout::kDirectoryEntrySize;
   const std::string_view stored =
       bytes.substr(get<std::uint64_t>(bytes, at), get<std::uint32_t>(bytes, at + 8));
-  std::string raw(get<std::uint32_t>(bytes, at + 12), '\0');
+  const std::size_t unpacked = get<std::uint32_t>(bytes, at + 12);
+  const std::size_t records = std::min(records_per_block, entries - number * records_per_block);
+  const auto frame_size = ZSTD_getFrameContentSize(stored.data(), stored.size());
+  const bool fits = unpacked <= records * kMaxRecordSize &&
+                    (frame_size == ZSTD_CONTENTSIZE_UNKNOWN || frame_size == unpacked);
+  if (!fits) refuse("is damaged: block " + std::to_string(number) + " has an impossible size");
+  std::string raw(unpacked, '\0');
   const std::size_t size = ZSTD_decompress(raw.data(), raw.size(), stored.data(), stored.size());
   if (ZSTD_isError(size) != 0 || size != raw.size())
     refuse("is damaged: block " + std::to_string(number) + " cannot be unpacked");

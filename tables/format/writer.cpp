@@ -94,7 +94,7 @@ void put_names(Parts& parts, const std::vector<TableRow>& rows, std::vector<Tabl
     const auto row =
         std::lower_bound(rows.begin(), rows.end(), name.code,
                          [](const TableRow& a, const canon::Code& code) { return a.code < code; });
-    core::expects(row != rows.end() && row->code == name.code && name.name.size() < 256,
+    core::expects(row != rows.end() && row->code == name.code && layout::is_name(name.name),
                   "a name belongs to a row");
     put(parts.names, static_cast<std::uint32_t>(row - rows.begin()));
     put(parts.names, static_cast<std::uint8_t>(name.name.size()));

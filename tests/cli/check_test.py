@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+"""Claim. `check` accepts a mesh with its boundary, says no (exit 1) to each damage that leaves the
+file well formed, and exit 3 to files that are not.
+Oracle. The damage is put in here: two cubes on one another, written out by hand.
+"""
+import json
+import os
+
+import program
+import surfaces
+
+BAD = ("", "nonsense\n", "\0\0\0")
+
+
+def points_of_two_cubes():
+    return [(str(x), str(y), str(z)) for z in range(3) for y in range(2) for x in range(2)]
+
+
+# VTK's order of corners; vertex x + 2 y + 4 z.
+CELLS = [[0, 1, 3, 2, 4, 5, 7, 6], [4, 5, 7, 6, 8, 9, 11, 10]]
+QUADS = [[0, 2, 3, 1], [8, 9, 11, 10]] + [
+    [a + 4 * z, b + 4 * z, b + 4 * z + 4, a + 4 * z + 4]
+    for z in range(2) for a, b in ((0, 1), (1, 3), (3, 2), (2, 0))]
+
+
+def vtk(points, cells, kind="12"):
+    rows = "".join(f"{len(cell)} " + " ".join(map(str, cell)) + "\n" for cell in cells)
+    return ("# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+            f"POINTS {len(points)} double\n" + "".join(" ".join(p) + "\n" for p in points) +
+            f"CELLS {len(cells)} {sum(len(c) + 1 for c in cells)}\n{rows}"
+            f"CELL_TYPES {len(cells)}\n" + f"{kind}\n" * len(cells))
+
+
+class Check(program.ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("good.obj", surfaces.obj(points_of_two_cubes(), QUADS))
+
+    def check(self, points, cells, *options, boundary="good.obj"):
+        self.write("mesh.vtk", vtk(points, cells))
+        return self.hexatlas("check", "mesh.vtk", "--boundary", boundary, *options)
+
+    def test_accepted(self):
+        points = points_of_two_cubes()
+        ran = self.expect(0, self.check(points, CELLS))
+        self.assertEqual(ran.err, "")
+        self.assertRegex(ran.out, r"\Amesh\.vtk: accepted: 2 hexahedra, 12 vertices \(0 interior\), "
+                                  r"20 edges, 11 quads, 10 of them on the boundary; [^\n]+\n\Z")
+        said = json.loads(self.expect(0, self.check(points, CELLS, "--json")).out)
+        self.assertEqual(said, {
+            "accepted": True, "reason": "", "vertices": 12, "interior_vertices": 0, "edges": 20,
+            "quads": 11, "hexahedra": 2, "boundary_quads": 10, "ball_proof": said["ball_proof"]})
+        self.assertIn(said["ball_proof"], ("shelling", "collapse"))
+        self.expect(0, self.hexatlas("check", "mesh.vtk"))
+
+    def test_each_exchange_of_two_labels_is_rejected(self):
+        points = points_of_two_cubes()
+        for i in range(8):
+            for j in range(i):
+                cell = list(CELLS[0])
+                cell[i], cell[j] = cell[j], cell[i]
+                with self.subTest(exchanged=(i, j)):
+                    ran = self.expect(1, self.check(points, [cell, CELLS[1]]))
+                    self.assertRegex(ran.out, r"\Amesh\.vtk: rejected: [^\n]+\n\Z")
+                    self.assertEqual(ran.err, "")
+
+    def test_each_other_label_is_rejected(self):
+        points = points_of_two_cubes()
+        for i in range(8):
+            for v in range(12):
+                if v == CELLS[0][i]:
+                    continue
+                cell = list(CELLS[0])
+                cell[i] = v
+                with self.subTest(corner=i, vertex=v):
+                    ran = self.check(points, [cell, CELLS[1]])
+                    self.assertIn(ran.code, (1, 3), ran)
+
+    def test_other_meshes(self):
+        points = points_of_two_cubes()
+        moved = list(points)
+        moved[3] = ("1.0000000000000002", "1", "0")
+        for name, mesh in {
+                "a hexahedron is missing": (points, CELLS[:1]),
+                "a hexahedron twice": (points, CELLS + CELLS[:1]),
+                "a point moved by one bit": (moved, CELLS),
+                "a zero changed its sign": ([("-0", "0", "0")] + points[1:], CELLS),
+                "a point too many": (points + [("5", "5", "5")], CELLS),
+                "a point too few": (points[:8], CELLS[:1])}.items():
+            with self.subTest(damage=name):
+                ran = self.expect(1, self.check(*mesh))
+                said = json.loads(self.expect(1, self.check(*mesh, "--json")).out)
+                self.assertFalse(said["accepted"])
+                self.assertIn(said["reason"], ran.out)
+                self.assertGreater(len(said["reason"]), 10)
+
+    def test_another_boundary(self):
+        points = points_of_two_cubes()
+        for name, quads in {
+                "one quad of another diagonal": [[0, 3, 2, 1]] + QUADS[1:],
+                "one quad missing": QUADS[1:],
+                "a quad in the interior": QUADS[:-1] + [[4, 5, 7, 6]]}.items():
+            with self.subTest(boundary=name):
+                self.write("other.obj", surfaces.obj(points, quads))
+                self.expect(1, self.check(points, CELLS, boundary="other.obj"))
+
+    def test_malformed(self):
+        text = vtk(points_of_two_cubes(), CELLS)
+        for extension in (".vtk", ".vtu", ".mesh", ".msh"):
+            name = "bad" + extension
+            for content in BAD + (text[:100],):
+                self.write(name, content)
+                with self.subTest(file=name, content=content[:20]):
+                    self.expect_fault(self.hexatlas("check", name), name)
+                    self.expect_fault(self.hexatlas("check", name, "--json"), name)
+        for place in range(0, len(text) - 3, 41):
+            self.write("cut.vtk", text[:place])
+            self.expect_fault(self.hexatlas("check", "cut.vtk"), "cut.vtk")
+        for damage in (("POINTS 12", "POINTS 13"), ("CELLS 2 18", "CELLS 2 19"), ("\n12\n", "\n10\n"),
+                       ("8 0 1", "8 0 77"), ("8 0 1", "8 0 -1"), ("1 1 2", "1 nan 2"),
+                       ("8 0 1", "8 0 4294967297")):
+            self.assertIn(damage[0], text)
+            self.write("bad.vtk", text.replace(damage[0], damage[1], 1))
+            with self.subTest(damage=damage):
+                self.expect_fault(self.hexatlas("check", "bad.vtk"), "bad.vtk")
+
+    def test_malformed_boundary(self):
+        self.write("mesh.vtk", vtk(points_of_two_cubes(), CELLS))
+        for key, (extension, _, _, _) in surfaces.FORMATS.items():
+            for content in BAD[1:]:
+                name = self.write("bad" + extension, content)
+                with self.subTest(format=key, content=content):
+                    self.expect_fault(
+                        self.hexatlas("check", "mesh.vtk", "--boundary", name), name)
+
+    def test_files_that_are_no_files(self):
+        os.mkdir(self.path("folder.vtk"))
+        for name in ("missing.vtk", "folder.vtk", "good.obj", "noextension"):
+            self.expect_fault(self.hexatlas("check", name), name)
+        self.write("mesh.vtk", vtk(points_of_two_cubes(), CELLS))
+        for name in ("missing.obj", "mesh.xyz"):
+            self.expect_fault(self.hexatlas("check", "mesh.vtk", "--boundary", name), name)
+
+
+if __name__ == "__main__":
+    program.main()

@@ -1,0 +1,228 @@
+#!/usr/bin/env python3
+"""Claim. The program behaves as others do on a command line: help and version, wrong usage with
+exit 2 and one line that names the nearest word, exit 5 where output cannot be written, silence on
+a broken pipe, progress on terminals only, any name of a file, any locale.
+Oracle. The conventions of POSIX and the exit codes of docs/architecture/README.md.
+"""
+import json
+import os
+import pty
+import shutil
+import signal
+import subprocess
+
+import program
+import surfaces
+
+VERBS = (["mesh", "hex"], ["check"], ["code"], ["table", "info"], ["table", "get"],
+         ["table", "check"], ["table", "build"])
+SHIPPED = os.path.join(program.REPOSITORY, "tables", "data", "hexatlas.hxt")
+BUILD = ("table", "build", "-o", "a.hxt", "--max-quads", "6", "--max-ball", "2", "--max-collar", "1")
+
+
+class Help(program.ProgramTest):
+    def test_help_has_an_example(self):
+        for verb in ([], ["mesh"], ["table"], *VERBS):
+            with self.subTest(verb=verb):
+                ran = self.expect(0, self.hexatlas(*verb, "--help"))
+                self.assertEqual(ran.err, "")
+                self.assertIn("Example", ran.out)
+                self.assertIn("hexatlas", ran.out)
+                self.assertEqual(self.hexatlas(*verb, "-h").out, ran.out)
+
+    def test_help_names_all_verbs_and_exit_codes(self):
+        out = self.hexatlas("--help").out
+        for word in ("mesh", "check", "code", "table", "0 ", "1 ", "2 ", "3 ", "4 ", "5 "):
+            self.assertIn(word, out)
+
+    def test_examples_are_accepted(self):
+        for verb in VERBS:
+            text = self.hexatlas(*verb, "--help").out
+            example = text[text.index("Example"):].split("\n")[1].split()
+            self.assertEqual(example[:1 + len(verb)], ["hexatlas", *verb])
+            if verb != ["table", "build"]:
+                self.assertNotEqual(2, self.hexatlas(*example[1:]).code, example)
+
+    def test_version(self):
+        ran = self.expect(0, self.hexatlas("--version"))
+        self.assertRegex(ran.out, r"\Ahexatlas \d+\.\d+\.\d+\n\Z")
+
+
+class Usage(program.ProgramTest):
+    def wrong(self, *arguments, said=()):
+        with self.subTest(arguments=arguments):
+            ran = self.expect(2, self.hexatlas(*arguments))
+            self.assertEqual(ran.out, "")
+            self.assertRegex(ran.err, r"\Ahexatlas: [^\n]+[.?] See `hexatlas[^`\n]* --help`\.\n\Z")
+            for word in said:
+                self.assertIn(word, ran.err)
+            self.assertEqual(self.listing(), [])
+
+    def test_verb_missing(self):
+        self.wrong(said=("mesh, check, code, table",))
+        self.wrong("mesh", said=("hex", "`hexatlas mesh --help`"))
+        self.wrong("table", said=("build", "info", "get", "check"))
+
+    def test_unknown_words(self):
+        self.wrong("mehs", said=("`mehs`", "did you mean `mesh`?"))
+        self.wrong("chekc", "a.vtk", said=("did you mean `check`?",))
+        self.wrong("mesh", "hx", said=("did you mean `hex`?",))
+        self.wrong("table", "biuld", said=("did you mean `build`?",))
+        self.wrong("qqqqqqqqqq", said=("`qqqqqqqqqq` is unknown to `hexatlas`.",))
+        self.wrong("mesh", "hex", "a.obj", "--otput", "b.vtk", said=("did you mean `--output`?",))
+        self.wrong("mesh", "hex", "a.obj", "-o", "b.vtk", "--jsn", said=("did you mean `--json`?",))
+        self.wrong("mesh", "hex", "a.obj", "-o", "b.vtk", "-x", said=("`-x`",))
+        self.wrong("check", "a.vtk", "--bondary=b.obj", said=("did you mean `--boundary`?",))
+        self.wrong("--nope", said=("`--nope`",))
+
+    def test_words_missing_or_too_many(self):
+        self.wrong("mesh", "hex", said=("INPUT",))
+        self.wrong("mesh", "hex", "a.obj", said=("--output",))
+        self.wrong("mesh", "hex", "a.obj", "-o", said=("--output",))
+        self.wrong("mesh", "hex", "a.obj", "b.obj", "-o", "b.vtk", said=("`b.obj`",))
+        self.wrong("check", said=("MESH",))
+        self.wrong("check", "a.vtk", "--boundary", said=("--boundary",))
+        self.wrong("code", said=("SURFACE",))
+        self.wrong("table", "get", said=("--name", "--code"))
+        self.wrong("table", "get", "--name", "cube", "--code", "q1:08a5df", said=("--code",))
+        self.wrong("table", "build", said=("--output",))
+
+
+class Streams(program.ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("cube.obj", surfaces.obj(*surfaces.cube()))
+        self.expect(0, self.hexatlas("mesh", "hex", "cube.obj", "-o", "cube.vtk"))
+        self.printing = (["--help"], ["--version"], ["check", "--help"], ["table", "info"],
+                         ["mesh", "hex", "cube.obj", "-o", "made.vtu"], ["code", "cube.obj"],
+                         ["mesh", "hex", "cube.obj", "-o", "-"], ["check", "cube.vtk"],
+                         ["mesh", "hex", "cube.obj", "-o", "made.vtu", "--json"],
+                         ["table", "get", "--name", "cube"], ["table", "check"], [*BUILD])
+
+    def with_closed(self, redirection, *arguments):
+        return self.expect_done(["sh", "-c", f'exec "$0" "$@" {redirection}', program.PROGRAM,
+                                 *arguments])
+
+    def expect_done(self, words):
+        done = subprocess.run(words, cwd=self.folder, stdin=subprocess.DEVNULL, timeout=60,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+        return program.Ran(done.returncode, done.stdout.decode(), done.stderr.decode())
+
+    def test_full_or_closed_standard_output(self):
+        for redirection in (">/dev/full", ">&-"):
+            for words in self.printing:
+                with self.subTest(arguments=words, redirection=redirection):
+                    ran = self.expect(5, self.with_closed(redirection, *words))
+                    self.assertRegex(ran.err, r"(\A|\n)hexatlas: standard output: [^\n]+\n\Z")
+        # What was made before the words were refused is whole.
+        self.expect(0, self.hexatlas("check", "made.vtu", "--boundary", "cube.obj"))
+        self.expect(0, self.hexatlas("table", "check", "a.hxt"))
+
+    def test_closed_standard_input_and_error(self):
+        for redirection in ("<&-", "2>&-", "<&- 2>&-", "2>/dev/full"):
+            ran = self.with_closed(redirection, "mesh", "hex", "cube.obj", "-o", "made.vtk")
+            self.expect(0, ran)
+            self.assertEqual(self.read("made.vtk"), self.read("cube.vtk"))
+            ran = self.with_closed(redirection, "mesh", "hex", "none.obj", "-o", "none.vtk")
+            self.expect(3, ran)
+        self.expect(3, self.with_closed("<&-", "mesh", "hex", "-", "-o", "none.vtk"))
+        self.assertNotIn("none.vtk", self.listing())
+
+    def test_broken_pipe(self):
+        for words in self.printing:
+            with self.subTest(arguments=words):
+                reader, writer = os.pipe()
+                os.close(reader)
+                ran = self.hexatlas(*words, stdout=writer)
+                os.close(writer)
+                self.assertEqual(ran.code, -signal.SIGPIPE)
+                if "-" not in words:
+                    self.assertEqual(ran.err, "")
+
+    def test_progress_is_for_terminals(self):
+        ran = self.expect(0, self.hexatlas(*BUILD))
+        self.assertEqual(ran.err, "")
+        self.assertNotIn("\r", ran.out)
+        terminal, line = pty.openpty()
+        ran = self.expect(0, self.hexatlas(*BUILD, stderr=line))
+        os.close(line)
+        shown = os.read(terminal, 65536).decode()
+        os.close(terminal)
+        self.assertIn(" of ", shown)
+        self.assertTrue(shown.endswith("\r\x1b[K"), shown)
+        self.assertNotIn("\n", shown)
+
+
+class Surroundings(program.ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.text = surfaces.obj(*surfaces.cube())
+
+    def test_names_of_files(self):
+        for folder in ("a folder", "\u00fcn\u00ef/\u4e2d\u6587", "quo'te\"$HOME;*", "back\\slash",
+                       "dot.vtk", "-dash", os.fsdecode(b"byte\xff")):
+            with self.subTest(folder=folder):
+                os.makedirs(self.path(folder))
+                name = os.path.join(".", folder, "in put.obj")
+                output = os.path.join(".", folder, "out put.vtk")
+                self.write(name, self.text)
+                ran = self.expect(0, self.hexatlas("mesh", "hex", name, "-o", output))
+                self.assertTrue(ran.out.startswith(output + ": "), ran)
+                self.expect(0, self.hexatlas("check", output, "--boundary", name, "--json"))
+                self.expect(0, self.hexatlas("code", name, "--json"))
+                self.expect_fault(self.hexatlas("code", name + "x"), name + "x")
+                table = os.path.join(".", folder, "t.hxt")
+                shutil.copy(SHIPPED, self.path(table))
+                self.expect(0, self.hexatlas("table", "check", table))
+                said = self.expect(0, self.hexatlas("table", "info", table, "--json"))
+                json.loads(said.out.encode(errors="surrogateescape").decode())
+
+    def test_a_table_is_built_at_any_place(self):
+        os.mkdir(self.path("\u00fcn\u00ef code"))
+        table = os.path.join("\u00fcn\u00ef code", "my table")
+        self.expect(0, self.hexatlas(*[table if word == "a.hxt" else word for word in BUILD]))
+        ran = self.expect(0, self.hexatlas("table", "check", table))
+        self.assertIn("as its manifest says", ran.out)
+
+    def test_names_that_begin_with_a_dash(self):
+        self.write("-in.obj", self.text)
+        ran = self.expect(0, self.hexatlas("mesh", "hex", "-o", "out.vtk", "--", "-in.obj"))
+        self.assertEqual(ran.err, "")
+
+    def test_locale_with_decimal_comma(self):
+        self.write("in.obj", self.text.replace("v 0 0 0", "v 0.125 0.1 -0.25"))
+        self.expect(0, self.hexatlas("mesh", "hex", "in.obj", "-o", "a.vtk", env={"LC_ALL": "C"}))
+        env = {"LC_ALL": "de_DE.UTF-8", "LANG": "de_DE.UTF-8"}
+        if shutil.which("localedef"):
+            made = subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8",
+                                   self.path("de_DE.UTF-8")], check=False,
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            if made.returncode == 0:
+                env["LOCPATH"] = self.folder
+        for output in ("b.vtk", "b.vtu"):
+            ran = self.expect(0, self.hexatlas("mesh", "hex", "in.obj", "-o", output, env=env))
+            self.assertRegex(ran.out, r"minimum -?\d\.\d{4},")
+            self.expect(0, self.hexatlas("check", output, "--boundary", "in.obj", env=env))
+        self.assertEqual(self.read("a.vtk"), self.read("b.vtk"))
+
+    def test_the_working_folder_and_environment_do_not_matter(self):
+        self.write("in.obj", self.text)
+        ran = self.expect(0, self.hexatlas("mesh", "hex", "in.obj", "-o", "-"))
+        bare = subprocess.run([program.PROGRAM, "mesh", "hex", self.path("in.obj"), "-o", "-"],
+                              cwd="/", env={}, check=True, timeout=60, stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL)
+        self.assertEqual(bare.stdout.decode(), ran.out)
+
+    def test_without_its_table_the_program_says_so(self):
+        shutil.copy(program.PROGRAM, self.path("alone"))
+        self.write("in.obj", self.text)
+        ran = subprocess.run([self.path("alone"), "mesh", "hex", "in.obj", "-o", "a.vtk"],
+                             cwd=self.folder, check=False, timeout=60, stdout=subprocess.PIPE,
+                             stderr=subprocess.PIPE)
+        self.assertEqual(ran.returncode, 3)
+        self.assertIn(b"--table", ran.stderr)
+        self.assertEqual(ran.stderr.count(b"\n"), 1)
+
+
+if __name__ == "__main__":
+    program.main()

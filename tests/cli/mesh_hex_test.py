@@ -1,0 +1,272 @@
+#!/usr/bin/env python3
+"""Claim. `mesh hex` keeps the points and quads of a surface, bit for bit and up to rotation, in all
+formats, for any numbering, order and placing of it; the judge accepts what it writes; the same
+input gives the same bytes. Surfaces without a mesh, or not in the table, are told apart.
+Oracle. hex_files.py and surfaces.py, which read and write files on their own; `hexatlas check`,
+which shares no code with the mesher; the parity and 3-connectedness of the surfaces made here.
+"""
+import json
+import os
+import random
+import re
+import stat
+
+import hex_files
+import program
+import surfaces
+
+KEYS = {"quads", "hexahedra", "interior_vertices", "min_scaled_jacobian", "mean_scaled_jacobian",
+        "inverted", "valid", "table_entry", "seconds"}
+OUTPUTS = (".vtk", ".vtu", ".mesh", ".msh")
+
+
+def floats(points):
+    return [tuple(float(word) for word in point) for point in points]
+
+
+def disguised(surface, rng):
+    """The same surface: other numbers, other order, each quad begun elsewhere."""
+    points, quads = surface
+    number = list(range(len(points)))
+    rng.shuffle(number)
+    moved = [None] * len(points)
+    for old, new in enumerate(number):
+        moved[new] = points[old]
+    turned = []
+    for quad in quads:
+        k = rng.randrange(4)
+        turned.append([number[v] for v in quad[k:] + quad[:k]])
+    rng.shuffle(turned)
+    return moved, turned
+
+
+class MeshTest(program.ProgramTest):
+    def mesh(self, surface, *options, name="in.obj", output="out.vtk"):
+        self.write(name, surfaces.FORMATS[name.split(".")[1]][1](*surface))
+        return self.hexatlas("mesh", "hex", name, "-o", output, *options)
+
+    def expect_mesh_of(self, surface, mesh, turned=False):
+        points, hexahedra = mesh
+        given = floats(surface[0])
+        self.assertEqual(hex_files.bits(points[:len(given)]), hex_files.bits(given))
+        quads = [quad[::-1] if turned else quad for quad in surface[1]]
+        self.assertEqual(hex_files.boundary(hexahedra),
+                         sorted(hex_files.least_first(list(quad)) for quad in quads))
+
+
+class Inputs(MeshTest):
+    def test_all_inputs_in_all_formats(self):
+        names = sorted(os.listdir(program.INPUTS))
+        self.assertEqual(len(names), 11)
+        for name in names:
+            surface = surfaces.read_obj(os.path.join(program.INPUTS, name))
+            for extension in OUTPUTS:
+                with self.subTest(input=name, output=extension):
+                    self.mesh_and_judge(surface, "out" + extension)
+
+    def mesh_and_judge(self, surface, output):
+        ran = self.mesh(surface, "--json", output=output)
+        if ran.code == 4:
+            self.skipTest("not in the table: " + ran.err)
+        self.expect(0, ran)
+        self.assertEqual(ran.err, "")
+        self.assertEqual(ran.out.count("\n"), 1)
+        said = json.loads(ran.out)
+        self.assertEqual(set(said), KEYS)
+        self.assertEqual(said["quads"], len(surface[1]))
+        judged = self.expect(0, self.hexatlas("check", output, "--boundary", "in.obj", "--json"))
+        self.assertEqual(judged.err, "")
+        verdict = json.loads(judged.out)
+        self.assertTrue(verdict["accepted"])
+        for key in ("hexahedra", "interior_vertices"):
+            self.assertEqual(verdict[key], said[key])
+        self.assertEqual(verdict["boundary_quads"], said["quads"])
+        self.assertLessEqual(said["valid"] + said["inverted"], said["hexahedra"])
+        if output.endswith((".vtk", ".mesh")):
+            reader = hex_files.read_vtk if output.endswith(".vtk") else hex_files.read_medit
+            mesh = reader(self.read(output).decode())
+            self.expect_mesh_of(surface, mesh)
+            self.assertEqual(len(mesh[1]), said["hexahedra"])
+        code = self.expect(0, self.hexatlas("code", "in.obj", "--json"))
+        self.assertEqual(json.loads(code.out)["code"], said["table_entry"])
+
+    def test_disguises(self):
+        rng = random.Random(7)
+        for name in ("cube", "two-cubes", "rhombic-dodecahedron", "three-cubes-l",
+                     "schneiders-pyramid"):
+            original = surfaces.read_obj(os.path.join(program.INPUTS, name + ".obj"))
+            counts = set()
+            for k in range(6):
+                with self.subTest(input=name, disguise=k):
+                    points, quads = disguised(original, rng)
+                    if k % 2 == 1:  # a mirror image, its quads still from outside
+                        points = [(p[0], p[1], repr(-float(p[2]))) for p in points]
+                        quads = [quad[::-1] for quad in quads]
+                    key = rng.choice(sorted(set(surfaces.FORMATS) - {"medit", "msh 2.2",
+                                                                     "msh 4.1"}))
+                    ran = self.expect(0, self.mesh((points, quads), "--json", name="in." + key))
+                    self.assertEqual(ran.err, "")
+                    counts.add((json.loads(ran.out)["hexahedra"], json.loads(ran.out)["table_entry"]))
+                    self.expect_mesh_of((points, quads),
+                                        hex_files.read_vtk(self.read("out.vtk").decode()))
+                    self.expect(0, self.hexatlas("check", "out.vtk", "--boundary", "in." + key))
+            self.assertEqual(len(counts), 1)
+
+    def test_same_bytes_again(self):
+        surface = surfaces.read_obj(os.path.join(program.INPUTS, "schneiders-pyramid.obj"))
+        for extension in OUTPUTS:
+            self.expect(0, self.mesh(surface, output="a" + extension))
+            self.expect(0, self.mesh(surface, output="b" + extension))
+            self.assertEqual(self.read("a" + extension), self.read("b" + extension))
+
+    def test_standard_streams(self):
+        surface = surfaces.read_obj(os.path.join(program.INPUTS, "two-cubes.obj"))
+        self.expect(0, self.mesh(surface))
+        for key in surfaces.FORMATS:
+            text = surfaces.FORMATS[key][1](*surface).encode()
+            ran = self.expect(0, self.hexatlas("mesh", "hex", "-", "-o", "-", stdin=text))
+            self.assertEqual(ran.out.encode(), self.read("out.vtk"), key)
+            self.assertIn("2 hexahedra", ran.err)
+        ran = self.expect(0, self.hexatlas("mesh", "hex", "in.obj", "-o", "-", "--json"))
+        self.assertEqual(ran.out.encode(), self.read("out.vtk"))
+        self.assertEqual(json.loads(ran.err)["hexahedra"], 2)
+
+    def test_an_existing_output_is_replaced_and_gets_the_mode_of_a_new_file(self):
+        self.write("cube.obj", surfaces.obj(*surfaces.cube()))
+        self.write("out.vtk", "before\n")
+        os.symlink("out.vtk", self.path("link.vtk"))
+        for mask, mode in ((0o022, 0o644), (0o077, 0o600), (0o002, 0o664)):
+            for output in ("new.vtk", "link.vtk"):
+                self.expect(0, self.hexatlas("mesh", "hex", "cube.obj", "-o", output, umask=mask))
+            found = stat.S_IMODE(os.stat(self.path("new.vtk")).st_mode)
+            self.assertEqual(oct(found), oct(mode))
+            os.remove(self.path("new.vtk"))
+        self.assertTrue(os.path.islink(self.path("link.vtk")))
+        self.assertIn(b"POINTS", self.read("out.vtk"))
+
+
+class Coordinates(MeshTest):
+    ODD = [("-0.0", "0", "0"), ("1e-300", "-1e-300", "5e-324"),
+           ("1e300", "-1e300", "1.7976931348623157e308"), ("0.1", "0.30000000000000004", "1e-5"),
+           ("4.9406564584124654e-324", "2.2250738585072011e-308", "-2.2250738585072014e-308"),
+           ("123456789012345678", "9007199254740993", "-0"), ("+1", "1.", ".5"),
+           ("1E+2", "1e02", "-.25e-3")]
+
+    def test_odd_coordinates_survive(self):
+        for name in ("in.obj", "in.off", "in.vtk", "in.vtu"):
+            with self.subTest(input=name):
+                surface = (self.ODD, surfaces.CUBE_QUADS)
+                ran = self.expect(0, self.mesh(surface, "--json", name=name))
+                json.loads(ran.out)
+                mesh = hex_files.read_vtk(self.read("out.vtk").decode())
+                self.assertEqual(hex_files.bits(mesh[0]), hex_files.bits(floats(self.ODD)))
+                self.expect(0, self.hexatlas("check", "out.vtk", "--boundary", name))
+
+    def test_scales(self):
+        for name in ("rhombic-dodecahedron", "schneiders-pyramid"):
+            points, quads = surfaces.read_obj(os.path.join(program.INPUTS, name + ".obj"))
+            for scale in ("1e-320", "1e-300", "1e-100", "1e100", "1e300", "8e307"):
+                with self.subTest(input=name, scale=scale):
+                    scaled = [tuple(repr(float(x) * float(scale)) for x in p) for p in points]
+                    ran = self.expect(0, self.mesh((scaled, quads), "--json"))
+                    self.assertEqual(ran.err, "")
+                    json.loads(ran.out)
+                    self.expect_mesh_of((scaled, quads),
+                                        hex_files.read_vtk(self.read("out.vtk").decode()))
+                    self.expect(0, self.hexatlas("check", "out.vtk", "--boundary", "in.obj"))
+
+    def test_all_points_in_one_place(self):
+        points, quads = surfaces.read_obj(os.path.join(program.INPUTS, "rhombic-dodecahedron.obj"))
+        for word in ("0", "-0.0", "1e308", "7"):
+            ran = self.expect(0, self.mesh(([(word,) * 3] * len(points), quads), "--json"))
+            said = json.loads(ran.out)
+            # A corner with determinant 0 counts as inverted.
+            self.assertEqual((said["valid"], said["inverted"]), (0, 4), ran)
+            self.expect(0, self.hexatlas("check", "out.vtk", "--boundary", "in.obj"))
+
+    def test_require_valid(self):
+        points, quads = surfaces.cube()
+        good = self.expect(0, self.mesh((points, quads), "--require-valid", "--json"))
+        self.assertEqual(json.loads(good.out)["valid"], 1)
+        twisted = [points[i] for i in (0, 1, 2, 3, 6, 7, 4, 5)]
+        ran = self.expect(4, self.mesh((twisted, quads), "--require-valid", "--json",
+                                       output="twisted.vtk"))
+        self.assertEqual(json.loads(ran.out)["valid"], 0)
+        self.assertRegex(ran.err, r"\Ahexatlas: 1 hexahedron is not proven valid, of 1;[^\n]*\n\Z")
+        self.expect(0, self.hexatlas("check", "twisted.vtk", "--boundary", "in.obj"))
+        self.expect(0, self.mesh((twisted, quads)))
+        self.assertEqual(self.read("out.vtk"), self.read("twisted.vtk"))
+
+
+class Orientation(MeshTest):
+    def one_note(self, ran, *words):
+        self.assertRegex(ran.err, r"\Ahexatlas: note: [^\n]+\n\Z")
+        for word in words:
+            self.assertIn(word, ran.err)
+
+    def test_some_quads_turned_over(self):
+        points, quads = surfaces.cube()
+        for turned in ([0], [5], [1, 3]):
+            damaged = [quad[::-1] if i in turned else quad for i, quad in enumerate(quads)]
+            ran = self.expect(0, self.mesh((points, damaged)))
+            self.one_note(ran, "1 quad " if len(turned) == 1 else "2 quads ", "orientation")
+            self.expect_mesh_of((points, quads), hex_files.read_vtk(self.read("out.vtk").decode()))
+            judged = self.expect(0, self.hexatlas("check", "out.vtk", "--boundary", "in.obj"))
+            self.one_note(judged, "in.obj", "orientation")
+
+    def test_all_quads_inwards(self):
+        points, quads = surfaces.cube()
+        surface = points, [quad[::-1] for quad in quads]
+        ran = self.expect(0, self.mesh(surface))
+        self.one_note(ran, "inwards")
+        self.expect_mesh_of(surface, hex_files.read_vtk(self.read("out.vtk").decode()), turned=True)
+        judged = self.expect(0, self.hexatlas("check", "out.vtk", "--boundary", "in.obj"))
+        self.one_note(judged, "in.obj", "other way")
+
+    def test_points_in_no_quad(self):
+        points, quads = surfaces.cube()
+        many = [("9", "9", "9")] + points + [("-7", "1e300", "0")]
+        surface = many, [[v + 1 for v in quad] for quad in quads]
+        for name in ("in.obj", "in.off", "in.vtk", "in.vtu"):
+            ran = self.expect(0, self.mesh(surface, name=name))
+            self.one_note(ran, "2 points")
+            self.expect_mesh_of(surface, hex_files.read_vtk(self.read("out.vtk").decode()))
+            self.expect(0, self.hexatlas("check", "out.vtk", "--boundary", name))
+
+
+class NoMesh(MeshTest):
+    def answer(self, code, surface, *words):
+        ran = self.expect(code, self.mesh(surface))
+        self.assertEqual(ran.out, "")
+        self.assertRegex(ran.err, r"\Ahexatlas: in\.obj: [^\n]+\n\Z")
+        for word in words:
+            self.assertIn(word, ran.err)
+        self.assertEqual(self.listing(), ["in.obj"])
+        return ran.err
+
+    def test_odd_number_of_quads(self):
+        self.answer(1, surfaces.cube_with_cut_quad(1), "7 quads", "odd")
+
+    def test_two_quads(self):
+        points, _ = surfaces.cube()
+        self.answer(1, (points[:4], [[0, 1, 2, 3], [3, 2, 1, 0]]), "2 quads")
+
+    def test_not_three_connected(self):
+        # Two quads with two edges in common; two quads with two opposite vertices in common.
+        self.answer(1, surfaces.cube_with_cut_quad(2), "3-connected", "4-6")
+        self.answer(1, surfaces.four_lenses(), "3-connected", "0-1")
+
+    def test_not_in_the_table(self):
+        said = self.answer(4, surfaces.grid_cube(3), "54 quads", "table")
+        code = self.expect(0, self.hexatlas("code", "in.obj")).out.split()[0]
+        self.assertRegex(code, r"\Aq1:[0-9a-f]{54}\Z")
+        self.assertIn(code, said)
+
+    def test_too_large_for_codes(self):
+        said = self.answer(4, surfaces.grid_cube(4), "96 quads")
+        self.assertFalse(re.search("q1:|code", said), said)
+        self.expect_fault(self.hexatlas("code", "in.obj"), "in.obj")
+
+
+if __name__ == "__main__":
+    program.main()

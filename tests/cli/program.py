@@ -1,0 +1,77 @@
+"""Runs the program in a folder of its own and keeps what it said."""
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+INPUTS = os.path.join(REPOSITORY, "experiments", "2026-11-quad-balls", "inputs")
+PROGRAM = ""
+
+
+class Ran:
+    def __init__(self, code, out, err):
+        self.code, self.out, self.err = code, out, err
+
+    def __repr__(self):
+        return f"exit {self.code}\nstdout: {self.out[:2000]!r}\nstderr: {self.err[:2000]!r}"
+
+
+class ProgramTest(unittest.TestCase):
+    """Each test has an empty folder, in which the program runs."""
+
+    maxDiff = None
+
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = holder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, content):
+        data = content if isinstance(content, bytes) else content.encode()
+        with open(self.path(name), "wb") as file:
+            file.write(data)
+        return name
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def listing(self):
+        return sorted(os.listdir(self.folder))
+
+    def hexatlas(self, *arguments, stdin=b"", env=None, **options):
+        """Text of both streams unless they go elsewhere."""
+        options.setdefault("stdout", subprocess.PIPE)
+        options.setdefault("stderr", subprocess.PIPE)
+        done = subprocess.run([PROGRAM, *arguments], input=stdin, cwd=self.folder, timeout=300,
+                              env=dict(os.environ, **(env or {})), check=False, **options)
+        return Ran(done.returncode, (done.stdout or b"").decode(errors="surrogateescape"),
+                   (done.stderr or b"").decode(errors="surrogateescape"))
+
+    def expect(self, code, ran):
+        self.assertEqual(ran.code, code, ran)
+        return ran
+
+    def expect_fault(self, ran, named):
+        """Exit 3, one line `named: reason` or `named:line: reason`; returns the line or 0."""
+        self.expect(3, ran)
+        self.assertEqual(ran.out, "", ran)
+        found = re.fullmatch(re.escape(named) + r":(?:(\d+):)? ([^\n]{8,})\n", ran.err)
+        self.assertTrue(found, ran)
+        self.assertNotEqual(found.group(1), "0", ran)
+        return int(found.group(1) or 0)
+
+
+def main():
+    """The path of the program is the first argument; the others are those of unittest."""
+    global PROGRAM
+    if len(sys.argv) < 2 or not os.access(sys.argv[1], os.X_OK):
+        sys.exit(f"usage: {sys.argv[0]} path/to/hexatlas [unittest options]")
+    PROGRAM = os.path.abspath(sys.argv[1])
+    unittest.main(module="__main__", argv=[sys.argv[0], *sys.argv[2:]])

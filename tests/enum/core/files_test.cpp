@@ -1,0 +1,164 @@
+// Claim. write_file() replaces a file wholly or leaves what was there, leaves no temporary file,
+// and names the party to blame; read_file() returns the bytes. Oracle. The file system itself, read
+// with std::ifstream and listed with std::filesystem.
+#include "enum/core/files.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+
+#include "enum/core/errors.hpp"
+
+namespace {
+
+using namespace hexatlas;
+namespace fs = std::filesystem;
+
+class Files : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "hexatlas-files-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override {
+    if (was_root_) {
+      ASSERT_EQ(::seteuid(0), 0);
+    }
+    fs::permissions(folder_, fs::perms::owner_all);
+    fs::remove_all(folder_);
+  }
+  [[nodiscard]] std::string path(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+  [[nodiscard]] std::ptrdiff_t entries() const {
+    return std::distance(fs::directory_iterator(folder_), fs::directory_iterator{});
+  }
+  static std::string content(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  /// The superuser may write everywhere, so another user goes on.
+  void drop_privileges() {
+    constexpr unsigned kNobody = 65534;
+    if (::geteuid() != 0) return;
+    if (::chown(folder_.c_str(), kNobody, kNobody) != 0 || ::seteuid(kNobody) != 0)
+      GTEST_SKIP() << "privileges cannot be dropped here";
+    was_root_ = true;
+  }
+  template <class Error>
+  static std::string message_of(const std::function<void()>& action) {
+    try {
+      action();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "no such error";
+  }
+  fs::path folder_;
+  bool was_root_ = false;
+};
+
+using core::InvalidInput;
+using core::ResourceFailure;
+
+TEST_F(Files, AreWrittenWholeAndReadBack) {
+  std::string bytes;
+  for (int i = 0; i < 300'000; ++i) bytes += static_cast<char>(i * 7 % 256);
+  core::write_file(path("a"), bytes);
+  EXPECT_EQ(content(path("a")), bytes);
+  EXPECT_EQ(core::read_file(path("a")), bytes);
+  core::write_file(path("a"), "");
+  EXPECT_EQ(content(path("a")), "");
+  EXPECT_EQ(core::read_file(path("a")), "");
+  EXPECT_EQ(entries(), 1) << "a temporary file was left";
+}
+
+TEST_F(Files, NewOnesHaveTheUsualPermissions) {
+  core::write_file(path("a"), "x");
+  struct stat status {};
+  ASSERT_EQ(::stat(path("a").c_str(), &status), 0);
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  EXPECT_EQ(status.st_mode & 0777U, 0666U & ~mask);
+}
+
+TEST_F(Files, ALinkIsFollowed) {
+  core::write_file(path("target"), "old");
+  fs::create_symlink(path("target"), path("link"));
+  core::write_file(path("link"), "new");
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(content(path("target")), "new");
+}
+
+TEST_F(Files, WhatWasThereStaysInAReadOnlyFolder) {
+  drop_privileges();
+  if (IsSkipped()) return;
+  core::write_file(path("a"), "old");
+  fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_THROW(core::write_file(path("a"), "new"), InvalidInput);
+  EXPECT_THROW(core::write_file(path("b"), "new"), InvalidInput);
+  fs::permissions(folder_, fs::perms::owner_all);
+  EXPECT_EQ(content(path("a")), "old");
+  EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(Files, WhatWasThereStaysIfItIsReadOnly) {
+  drop_privileges();
+  if (IsSkipped()) return;
+  core::write_file(path("a"), "old");
+  fs::permissions(path("a"), fs::perms::owner_read);
+  EXPECT_THROW(core::write_file(path("a"), "new"), InvalidInput);
+  EXPECT_EQ(content(path("a")), "old");
+}
+
+TEST_F(Files, AFileWithALongNameIsReplaced) {
+  // 250 characters are a legal name, but no longer one with anything added to it.
+  const std::string name(250, 'n');
+  { std::ofstream(path(name)) << "old"; }
+  try {
+    core::write_file(path(name), "new");
+    EXPECT_EQ(content(path(name)), "new");
+  } catch (const InvalidInput&) {
+    EXPECT_EQ(content(path(name)), "old");
+  }
+  EXPECT_THROW(core::write_file(path(std::string(300, 'n')), "new"), InvalidInput);
+  EXPECT_EQ(entries(), 1) << "a temporary file was left";
+}
+
+TEST_F(Files, AFullDeviceIsAResourceFailure) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP();
+  const std::string message =
+      message_of<ResourceFailure>([] { core::write_file("/dev/full", "x"); });
+  EXPECT_NE(message.find("/dev/full"), std::string::npos) << message;
+  EXPECT_TRUE(fs::is_character_file("/dev/full")) << "a device was replaced";
+}
+
+TEST_F(Files, DirectoriesAndMissingOnesAreTheUsersFault) {
+  const std::string here = folder_.string();
+  EXPECT_EQ(message_of<InvalidInput>([&] { core::write_file(here, "x"); }),
+            here + ": is a directory");
+  EXPECT_EQ(message_of<InvalidInput>([&] { (void)core::read_file(here); }),
+            here + ": is a directory");
+  EXPECT_NE(
+      message_of<InvalidInput>([&] { (void)core::read_file(path("no")); }).find("No such file"),
+      std::string::npos);
+  EXPECT_NE(message_of<InvalidInput>([&] {
+              core::write_file(path("no/file"), "x");
+            }).find("No such file"),
+            std::string::npos);
+  EXPECT_EQ(entries(), 0);
+}
+
+TEST(Errors, NameFileAndLine) {
+  EXPECT_STREQ(InvalidInput("f", 3, "bad").what(), "f:3: bad");
+  EXPECT_STREQ(InvalidInput("f", "bad").what(), "f: bad");
+}
+
+}  // namespace

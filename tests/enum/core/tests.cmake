@@ -1,0 +1,3 @@
+hexatlas_test(enum_core_files_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/files_test.cpp
+  USES enum_core)

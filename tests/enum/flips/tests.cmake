@@ -1,0 +1,21 @@
+hexatlas_test(enum_flips_quad_flip_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/quad_flip_test.cpp
+  USES enum_flips)
+hexatlas_test(enum_flips_flip_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/flip_test.cpp
+  USES enum_flips)
+hexatlas_test(enum_flips_front_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/front_test.cpp
+  USES enum_flips)
+hexatlas_test(enum_flips_census_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/census_test.cpp
+  USES enum_flips enum_canon_nauty)
+hexatlas_test(enum_flips_beam_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/beam_test.cpp
+  USES enum_flips)
+hexatlas_test(enum_flips_meeting_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/meeting_test.cpp
+  USES enum_flips)
+hexatlas_test(enum_flips_spindle_test long
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/spindle_test.cpp
+  USES enum_flips enum_parallel)

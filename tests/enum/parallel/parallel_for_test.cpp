@@ -1,0 +1,63 @@
+// Claim. parallel_for() calls the body once per index for any number of threads, ends only when all
+// calls have ended, and throws the exception of the least index that threw.
+// Oracle. Counting.
+#include "enum/parallel/parallel_for.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "enum/core/errors.hpp"
+
+namespace {
+
+using hexatlas::parallel::parallel_for;
+
+TEST(ParallelFor, VisitsEachIndexOnce) {
+  for (const int threads : {1, 2, 3, 7, 16})
+    for (const std::size_t count : {0U, 1U, 2U, 15U, 1000U}) {
+      std::vector<int> visits(count, 0);  // one slot per index: no race if each is visited once
+      parallel_for(threads, count, [&](std::size_t i) { ++visits[i]; });
+      EXPECT_EQ(visits, std::vector<int>(count, 1)) << threads << " threads, " << count;
+    }
+}
+
+TEST(ParallelFor, OneThreadKeepsTheOrderAndTheThread) {
+  const std::thread::id caller = std::this_thread::get_id();
+  std::vector<std::size_t> order;
+  parallel_for(1, 5, [&](std::size_t i) {
+    EXPECT_EQ(std::this_thread::get_id(), caller);
+    order.push_back(i);
+  });
+  EXPECT_EQ(order, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+}
+
+TEST(ParallelFor, ThrowsTheExceptionOfTheLeastIndexAfterAllCalls) {
+  for (const int threads : {1, 2, 5})
+    for (int repetition = 0; repetition < 20; ++repetition) {
+      std::atomic<int> calls{0};
+      std::string message;
+      try {
+        parallel_for(threads, 100, [&](std::size_t i) {
+          ++calls;
+          if (i % 10 == 7) throw std::runtime_error(std::to_string(i));
+        });
+      } catch (const std::runtime_error& error) {
+        message = error.what();
+      }
+      EXPECT_EQ(message, "7");
+      EXPECT_EQ(calls.load(), 100);
+    }
+}
+
+TEST(ParallelFor, NeedsAThread) {
+  EXPECT_THROW(parallel_for(0, 1, [](std::size_t) {}), hexatlas::core::PreconditionViolated);
+  EXPECT_GE(hexatlas::parallel::available_threads(), 1);
+}
+
+}  // namespace

@@ -1,0 +1,6 @@
+hexatlas_test(tables_format_record_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/record_test.cpp
+  USES tables_format enum_flips enum_canon_nauty)
+hexatlas_test(tables_format_table_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/table_test.cpp
+  USES tables_format tables_check enum_flips enum_canon_nauty)
