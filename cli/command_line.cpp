@@ -69,7 +69,7 @@ ExitCode wrong_usage(const CLI::App& app, const std::vector<std::string>& words,
   const CLI::App& command = deepest_parsed(app);
   std::string path;
   for (const CLI::App* at = &command; at != nullptr; at = at->get_parent())
-    path = at->get_name() + (path.empty() ? "" : " ") + path;
+    path.insert(0, at->get_name() + (path.empty() ? "" : " "));
   const std::vector<std::string> extras = app.remaining(true);
   std::string unknown;
   for (const std::string& word : words)

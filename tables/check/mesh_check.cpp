@@ -1,7 +1,9 @@
 #include "tables/check/mesh_check.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <set>
 #include <utility>
 
@@ -66,7 +68,9 @@ Finding check_surface_points(const Mesh& mesh, const Surface& surface) {
     return Failure{Law::kSurfacePoints, "the mesh has fewer points than the surface"};
   }
   for (std::size_t v = 0; v < surface.points.size(); ++v) {
-    if (std::memcmp(mesh.points[v].data(), surface.points[v].data(), sizeof(Point)) != 0) {
+    // Bit for bit: -0.0 is not 0.0.
+    using Bits = std::array<std::uint64_t, 3>;
+    if (std::bit_cast<Bits>(mesh.points[v]) != std::bit_cast<Bits>(surface.points[v])) {
       return Failure{Law::kSurfacePoints,
                      "point " + std::to_string(v) + " is not that of the surface"};
     }

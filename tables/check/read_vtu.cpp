@@ -89,7 +89,7 @@ class VtuReader {
     little_ = order == "LittleEndian";
   }
 
-  Mesh mesh() const {
+  [[nodiscard]] Mesh mesh() const {
     const pugi::xml_node piece = only_child(only_child(root_, "UnstructuredGrid"), "Piece");
     const std::uint64_t points = number(piece, "NumberOfPoints");
     const std::uint64_t cells = number(piece, "NumberOfCells");
@@ -130,7 +130,8 @@ class VtuReader {
     return child;
   }
 
-  pugi::xml_node array_named(const pugi::xml_node& cells, const std::string& name) const {
+  [[nodiscard]] pugi::xml_node array_named(const pugi::xml_node& cells,
+                                           const std::string& name) const {
     pugi::xml_node found;
     for (const pugi::xml_node& array : cells.children("DataArray")) {
       if (name != array.attribute("Name").value()) continue;
@@ -149,18 +150,18 @@ class VtuReader {
     return value;
   }
 
-  bool is_ascii(const pugi::xml_node& array) const {
+  [[nodiscard]] bool is_ascii(const pugi::xml_node& array) const {
     return std::string_view(array.attribute("format").value()) == "ascii";
   }
 
   /// A scanner of the text of an ASCII array that must hold `count` numbers.
-  Scanner scanner(const pugi::xml_node& array, std::uint64_t count) const {
+  [[nodiscard]] Scanner scanner(const pugi::xml_node& array, std::uint64_t count) const {
     const std::string_view text = array.child_value();
     if (count > text.size() / 2 + 1) file_.fail(array, "an array of data ends too early");
     return Scanner(file_.name(), text, '\0', file_.line(array.first_child().offset_debug()));
   }
 
-  std::string bytes(const pugi::xml_node& array, std::uint64_t wanted) const {
+  [[nodiscard]] std::string bytes(const pugi::xml_node& array, std::uint64_t wanted) const {
     if (!little_) file_.fail(root_, "big-endian data are not supported");
     const std::string_view format = array.attribute("format").value();
     VtuEncoding encoding{.base64 = true, .zlib = zlib_, .word = word_};
@@ -211,7 +212,8 @@ class VtuReader {
     return wide;
   }
 
-  std::vector<std::uint64_t> integers(const pugi::xml_node& array, std::uint64_t count) const {
+  [[nodiscard]] std::vector<std::uint64_t> integers(const pugi::xml_node& array,
+                                                    std::uint64_t count) const {
     const std::string_view name = array.attribute("type").value();
     const auto* const type = std::find_if(kIntegers.begin(), kIntegers.end(),
                                           [&](const Type& known) { return known.name == name; });

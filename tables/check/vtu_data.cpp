@@ -42,7 +42,7 @@ class Source {
   }
 
  private:
-  std::string decode(std::string_view run, std::uint64_t count, bool peek) const {
+  [[nodiscard]] std::string decode(std::string_view run, std::uint64_t count, bool peek) const {
     const std::size_t padding = peek ? 0 : (3 - count % 3) % 3;
     std::string bytes;
     bytes.reserve(run.size() / 4 * 3);
