@@ -6,6 +6,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "enum/core/checks.hpp"
 #include "enum/core/errors.hpp"
 #include "meshing/hexahedrize/hexahedrize.hpp"
 #include "meshing/io/mesh_files.hpp"
@@ -18,7 +19,7 @@ ExitCode code(const CodeOptions& options) {
   if (sphere.quads.size() > complex::kMaxQuads)
     throw core::InvalidInput(options.surface, "has more than 64 quads, the most that have codes");
   const auto boundary = hexahedrize::small_form(sphere);
-  if (!boundary) throw core::InvalidInput(options.surface, "has too few quads to have a code");
+  core::ensures(boundary.has_value(), "a sphere of at most 64 quads has a small form");
   const canon::CanonicalForm form = canon::canonical_form(*boundary);
   nlohmann::ordered_json json;
   json["code"] = canon::to_text(form.code);

@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/output.hpp"
@@ -89,6 +92,16 @@ using Action = std::function<ExitCode()>;
 
 std::string example(const std::string& text) { return "Example:\n  " + text + "\n"; }
 
+/// The number that the whole word is. CLI11's own conversion would take "010" for eight.
+std::uint64_t seed_from(const std::string& word) {
+  std::uint64_t seed = 0;
+  const char* const last = word.data() + word.size();
+  const auto [end, error] = std::from_chars(word.data(), last, seed);
+  if (error != std::errc{} || end != last)
+    throw CLI::ValidationError("--seed", "`" + word + "` is no integer from 0 to 2^64 - 1");
+  return seed;
+}
+
 void add_mesh(CLI::App& app, Action& action) {
   auto* mesh = app.add_subcommand("mesh", "Make meshes");
   mesh->require_subcommand(1);
@@ -104,7 +117,8 @@ void add_mesh(CLI::App& app, Action& action) {
   hex->add_flag("--json", options->json, "Print one JSON object");
   hex->add_flag("--require-valid", options->require_valid,
                 "Exit with 4 unless every hexahedron is proven valid");
-  hex->footer(example("hexatlas mesh hex pyramid.obj -o pyramid.vtu"));
+  hex->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
+              example("hexatlas mesh hex pyramid.obj -o pyramid.vtu"));
   hex->callback([options, &action] { action = [options] { return mesh_hex(*options); }; });
 }
 
@@ -186,16 +200,19 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
   build->add_option("--max-collar", options->max_collar, "Effort: hexahedra of a collar, at most")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
-  build->add_option("--seed", options->seed, "Seed of the search")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  build
+      ->add_option_function<std::string>(
+          "--seed", [options](const std::string& word) { options->seed = seed_from(word); },
+          "Seed of the search")
+      ->type_name("UINT")
+      ->default_str(std::to_string(options->seed));
   build
       ->add_option("-j,--threads", options->threads,
                    "Threads [all processors]; the result does not depend on it")
       ->check(CLI::Range(1, 1024));
   build->footer(example("hexatlas table build -o my.hxt --max-quads 12 -j 2"));
   build->callback([options, &action] {
-    if (options->output == "-")
+    if (options->output.empty() || options->output == "-")
       throw CLI::ValidationError("--output", "a table and its manifest need the name of a file");
     action = [options] { return table_build(*options); };
   });

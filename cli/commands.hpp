@@ -58,7 +58,7 @@ struct TableInfoOptions {
 [[nodiscard]] ExitCode table_info(const TableInfoOptions& options);
 
 struct TableGetOptions {
-  std::string table, name, code, surface, output;
+  std::string table, name, code, output;
 };
 [[nodiscard]] ExitCode table_get(const TableGetOptions& options);
 

@@ -1,12 +1,18 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "enum/core/errors.hpp"
 #include "meshing/hexahedrize/hexahedrize.hpp"
 #include "meshing/io/mesh_files.hpp"
 #include "meshing/quality/report.hpp"
+#include "tables/check/mesh_check.hpp"
 
 namespace hexatlas::cli {
 namespace {
@@ -24,6 +30,7 @@ void say_notes(const hexahedrize::SurfaceNotes& notes) {
 std::string json_line(std::size_t quads, const hexahedrize::Hexahedrized& made,
                       const quality::Report& report, double elapsed) {
   nlohmann::ordered_json json;
+  json["outcome"] = "meshed";
   json["quads"] = quads;
   json["hexahedra"] = report.hexahedra;
   json["interior_vertices"] = made.interior_vertices;
@@ -48,18 +55,62 @@ std::string summary(std::size_t quads, const hexahedrize::Hexahedrized& made,
       counted(report.hexahedra, "hexahedron", "hexahedra"), report.inverted);
 }
 
+/// Whatever the table says, a mesh is written only if the judge accepts it.
+void expect_accepted(const mesh::HexMesh& mesh, const mesh::SurfaceMesh& surface,
+                     const std::string& table) {
+  const auto point = [](const mesh::Point& p) { return check::Point{p.x, p.y, p.z}; };
+  check::Mesh judged;
+  std::transform(mesh.points.begin(), mesh.points.end(), std::back_inserter(judged.points), point);
+  for (const auto& h : mesh.hexahedra)  // bottom and top quads, cyclically
+    judged.hexahedra.push_back({h[0], h[1], h[3], h[2], h[4], h[5], h[7], h[6]});
+  check::Surface boundary;
+  std::transform(surface.points.begin(), surface.points.end(), std::back_inserter(boundary.points),
+                 point);
+  boundary.quads.assign(surface.quads.begin(), surface.quads.end());
+  const check::Verdict verdict = check::check_mesh(judged, &boundary);
+  if (!verdict.accepted)
+    throw core::InvalidInput(table, "holds a mesh that is not valid: " + verdict.reason);
+}
+
+/// With the mesh on standard output, words about it go to standard error.
+void tell(const MeshHexOptions& options, const std::string& text) {
+  if (options.output == "-")
+    say_text(text);
+  else
+    print(text);
+}
+
+/// Why there is no mesh: a sentence, and with --json an object that holds it. An empty code is one
+/// that was not computed.
+void tell_without_mesh(const MeshHexOptions& options, const std::string& name,
+                       const std::string& outcome, std::size_t quads, const std::string& reason,
+                       const std::string& code) {
+  say(fmt::format("{}: {}", name, reason));
+  if (!options.json) return;
+  nlohmann::ordered_json json;
+  json["outcome"] = outcome;
+  json["quads"] = quads;
+  json["reason"] = reason;
+  json["code"] = nullptr;
+  if (!code.empty()) json["code"] = code;
+  tell(options, to_line(json));
+}
+
+/// The output would take the place of the input.
+bool is_same_file(const std::string& input, const std::string& output) {
+  if (input == "-" || output == "-") return false;
+  std::error_code error;  // a file that is not there is told by who opens it
+  return std::filesystem::is_regular_file(input, error) &&
+         std::filesystem::equivalent(input, output, error);
+}
+
 ExitCode deliver(const MeshHexOptions& options, std::size_t quads,
                  const hexahedrize::Hexahedrized& made, double start) {
   io::write_hexahedra(options.output, made.mesh,
                       options.output == "-" ? std::optional(io::FileFormat::vtk) : std::nullopt);
   const quality::Report report = quality::report(made.mesh);
-  // With the mesh on standard output, words about it go to standard error.
-  const std::string text = options.json ? json_line(quads, made, report, seconds() - start)
-                                        : summary(quads, made, report, options.output);
-  if (options.output == "-")
-    say_text(text);
-  else
-    print(text);
+  tell(options, options.json ? json_line(quads, made, report, seconds() - start)
+                             : summary(quads, made, report, options.output));
   if (!options.require_valid || report.valid == report.hexahedra) return ExitCode::yes;
   say(fmt::format("{} not proven valid, of {}; the mesh was written all the same",
                   counted(report.hexahedra - report.valid, "hexahedron is", "hexahedra are"),
@@ -71,24 +122,30 @@ ExitCode deliver(const MeshHexOptions& options, std::size_t quads,
 
 ExitCode mesh_hex(const MeshHexOptions& options) {
   const double start = seconds();
+  if (is_same_file(options.input, options.output)) {
+    say("INPUT and --output are the same file. See `hexatlas mesh hex --help`.");
+    return ExitCode::usage;
+  }
   const std::string name = options.input == "-" ? "standard input" : options.input;
   const mesh::SurfaceMesh surface = io::read_surface(options.input);
   const format::Table table = format::Table::open(table_path(options.table));
   const auto answer = hexahedrize::hexahedrize(surface, table, name);
   say_notes(answer.notes);
   if (const auto* impossible = std::get_if<hexahedrize::Impossible>(&answer.outcome)) {
-    say(fmt::format("{}: no hexahedral mesh exists: {}", name, impossible->reason));
+    tell_without_mesh(options, name, "impossible", surface.quads.size(),
+                      "no hexahedral mesh exists: " + impossible->reason, "");
     return ExitCode::no;
   }
   if (const auto* missing = std::get_if<hexahedrize::NotInTable>(&answer.outcome)) {
-    say(fmt::format("{}: the boundary of {} quads{} is not in {}; a larger table may have it", name,
-                    missing->quads,
-                    missing->code.empty() ? "" : ", canonical code " + missing->code + ",",
-                    table.path()));
+    const std::string reason = fmt::format(
+        "the boundary of {} quads{} is not in {}; a larger table may have it", missing->quads,
+        missing->code.empty() ? "" : ", canonical code " + missing->code + ",", table.path());
+    tell_without_mesh(options, name, "not_in_table", missing->quads, reason, missing->code);
     return ExitCode::undecided;
   }
-  return deliver(options, surface.quads.size(), std::get<hexahedrize::Hexahedrized>(answer.outcome),
-                 start);
+  const auto& made = std::get<hexahedrize::Hexahedrized>(answer.outcome);
+  expect_accepted(made.mesh, surface, table.path());
+  return deliver(options, surface.quads.size(), made, start);
 }
 
 }  // namespace hexatlas::cli

@@ -13,6 +13,9 @@ execute_process(COMMAND git -C ${PROJECT_SOURCE_DIR} describe --always --dirty -
   OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
 if(failed)
   set(commit unknown)
+else()  # configure anew when the commit or the index changes
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
+    ${PROJECT_SOURCE_DIR}/.git/HEAD ${PROJECT_SOURCE_DIR}/.git/index)
 endif()
 set_source_files_properties(cli/table_build.cpp PROPERTIES
   COMPILE_DEFINITIONS "HEXATLAS_COMMIT=\"${commit}\"")

@@ -2,7 +2,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
+#include <system_error>
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
@@ -42,13 +44,23 @@ std::vector<canon::Code> boundaries(const TableBuildOptions& options) {
 }
 
 /// A search may take hours: what would make it be in vain is told before.
-void expect_folder_of(const std::string& output) {
-  const std::filesystem::path path(output);
+void expect_writable(const std::string& output) {
+  std::filesystem::path path(output);
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::status_known(status))
+    throw core::InvalidInput(output, "cannot be created: " + error.message());
+  if (std::filesystem::is_directory(status)) throw core::InvalidInput(output, "is a directory");
+  if (std::filesystem::exists(status)) {
+    if (::access(path.c_str(), W_OK) != 0)
+      throw core::InvalidInput(output, "cannot be replaced: it is not writable");
+    if (!std::filesystem::is_regular_file(status)) return;  // a device is written in place
+    path = std::filesystem::canonical(path);
+  }
   const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  if (std::filesystem::is_directory(path)) throw core::InvalidInput(output, "is a directory");
-  if (!std::filesystem::is_directory(folder))
+  if (!std::filesystem::is_directory(folder, error))
     throw core::InvalidInput(output, "cannot be created: there is no folder " + folder.string());
-  if (::access(folder.c_str(), W_OK) != 0)
+  if (::access(folder.c_str(), W_OK | X_OK) != 0)
     throw core::InvalidInput(output, "cannot be created: the folder is not writable");
 }
 
@@ -62,10 +74,24 @@ std::vector<format::TableRowName> names_among(const std::vector<format::TableRow
   return result;
 }
 
+/// The table took the time: it stays where only its manifest cannot be written.
+void write_both(const std::string& table_path, const std::string& table,
+                const std::string& manifest_path, const std::string& manifest) {
+  core::write_file(table_path, table);
+  try {
+    core::write_file(manifest_path, manifest);
+  } catch (const std::exception&) {
+    say("the table " + table_path + " was written, its manifest was not");
+    throw;
+  }
+}
+
 }  // namespace
 
 ExitCode table_build(const TableBuildOptions& options) {
-  expect_folder_of(options.output);
+  const std::string manifest_path = format::manifest_path(options.output);
+  expect_writable(options.output);
+  expect_writable(manifest_path);
   const std::vector<canon::Code> codes = boundaries(options);
   const int threads = options.threads > 0 ? options.threads : parallel::available_threads();
   std::vector<build::Stage> stages = build::default_stages(options.seed, threads);
@@ -87,8 +113,7 @@ ExitCode table_build(const TableBuildOptions& options) {
   const format::Table table = format::Table::from_bytes(bytes, options.output);
   const std::string manifest = format::manifest_text(
       table, {options.command, options.seed, "hexatlas " + version(), HEXATLAS_COMMIT});
-  core::write_file(options.output, bytes);
-  core::write_file(format::manifest_path(options.output), manifest);
+  write_both(options.output, bytes, manifest_path, manifest);
   print(fmt::format("{}: {} meshes, {} bytes, sha256 {}\n", options.output, table.size(),
                     table.bytes(), table.sha256()));
   return made.without_mesh.empty() ? ExitCode::yes : ExitCode::undecided;

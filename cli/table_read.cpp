@@ -2,9 +2,15 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "enum/complex/quad_surface.hpp"
+#include "enum/complex/quadrangulation.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "tables/check/table_check.hpp"
@@ -49,25 +55,55 @@ ExitCode table_info(const TableInfoOptions& options) {
 
 namespace {
 
-canon::Code wanted_code(const TableGetOptions& options, const format::Table& table) {
-  if (!options.name.empty()) {
-    if (const auto ordinal = table.find_name(options.name)) return table.entry(*ordinal).code;
-    std::string known;
-    for (const auto& name : table.names()) known += (known.empty() ? "" : ", ") + name.name;
-    throw core::InvalidInput(options.name, "is no name in this table; known are " + known);
-  }
-  const auto code = canon::from_text(options.code);
-  if (!code || !canon::decode(*code))
-    throw core::InvalidInput(options.code,
+canon::Code code_of_name(const std::string& name, const format::Table& table) {
+  if (const auto ordinal = table.find_name(name)) return table.entry(*ordinal).code;
+  std::string known;
+  for (const auto& other : table.names()) known += (known.empty() ? "" : ", ") + other.name;
+  throw core::InvalidInput(name, "is no name in this table; known are " + known);
+}
+
+complex::Quadrangulation boundary_of(const std::string& word) {
+  const auto code = canon::from_text(word);
+  auto boundary = code ? canon::decode(*code) : std::nullopt;
+  if (!boundary)
+    throw core::InvalidInput(word,
                              "is no code of a quadrangulation; `hexatlas code SURFACE` gives one");
-  return canon::canonical_form(*canon::decode(*code)).code;
+  return *std::move(boundary);
+}
+
+/// As complex::reason_against_filling says it, for words whose graph need not be simple.
+std::optional<std::string> reason_against_filling(const complex::Quadrangulation& boundary) {
+  const std::vector<complex::QuadVertices> quads = boundary.list_of_quads();
+  const bool is_even = quads.size() % 2 == 0;
+  if (const auto law = complex::broken_law(quads); law && is_even)
+    return "the boundary is not 3-connected: " + law->reason;
+  complex::QuadSphere sphere;
+  for (const auto& quad : quads) sphere.quads.push_back({quad[0], quad[1], quad[2], quad[3]});
+  for (int v = 0; v < boundary.vertices(); ++v)
+    sphere.point_of.push_back(static_cast<complex::VertexId>(v));
+  return complex::reason_against_filling(sphere);
+}
+
+void expect_canonical(const std::string& word, const complex::Quadrangulation& boundary) {
+  const std::string code = canon::to_text(canon::canonical_form(boundary).code);
+  if (word != code)
+    throw core::InvalidInput(word, "is not canonical; the code of this boundary is " + code);
 }
 
 }  // namespace
 
 ExitCode table_get(const TableGetOptions& options) {
   const format::Table table = format::Table::open(table_path(options.table));
-  const canon::Code code = wanted_code(options, table);
+  if (options.name.empty()) {
+    const complex::Quadrangulation boundary = boundary_of(options.code);
+    if (const auto reason = reason_against_filling(boundary)) {
+      say(fmt::format("{}: no hexahedral mesh exists: {}", options.code, *reason));
+      return ExitCode::no;
+    }
+    expect_canonical(options.code, boundary);
+  }
+  const canon::Code code = options.name.empty() ? canon::from_text(options.code).value()
+                                                : code_of_name(options.name, table);
   const auto ordinal = table.find(code);
   if (!ordinal) {
     say(fmt::format("{} ({} quads) is not in {}", canon::to_text(code), code.quads, table.path()));
@@ -97,12 +133,14 @@ ExitCode table_check(const TableCheckOptions& options) {
   }
   const std::string manifest = format::manifest_path(path);
   std::string said = "no manifest beside it";
-  if (std::filesystem::exists(manifest)) {
+  std::error_code error;  // a name that is too long for a file is that of none
+  if (std::filesystem::exists(manifest, error)) {
     const format::ManifestClaims claims = format::read_manifest(manifest);
     const format::Table table = format::Table::from_bytes(bytes, path);
-    if (claims.sha256 != table.sha256() || claims.bytes != table.bytes() ||
-        claims.entries != table.size()) {
-      print(fmt::format("{}: rejected: its manifest {} describes another file\n", path, manifest));
+    const std::string told =
+        format::manifest_text(table, {claims.command, claims.seed, claims.program, claims.commit});
+    if (core::read_file(manifest) != told) {
+      print(fmt::format("{}: rejected: it is not as its manifest {} says\n", path, manifest));
       return ExitCode::no;
     }
     said = "as its manifest says";

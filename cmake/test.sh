@@ -57,7 +57,8 @@ fixed_layout() {
 build() { # PRESET [TARGET...]
   local preset=$1
   shift
-  step "configure-$preset" cmake --preset "$preset" -DHEXATLAS_TESTS=ON || return 1
+  step "configure-$preset" cmake --preset "$preset" \
+    -DHEXATLAS_TESTS=ON -DHEXATLAS_WERROR=ON || return 1
   step "build-$preset" fixed_layout cmake --build "build/$preset" --parallel "$jobs" \
     ${1:+--target "$@"}
 }
@@ -104,6 +105,10 @@ tidy() { # all|changed
 step packages bash cmake/packages.sh test
 
 if build release; then
+  if step headers cmake --build build/release --parallel "$jobs" \
+    --target all_verify_interface_header_sets; then
+    record headers passed
+  fi
   run_tests release
   if [[ ${HEXATLAS_TIDY:-all} != off ]] && step clang-tidy tidy "${HEXATLAS_TIDY:-all}"; then
     record clang-tidy passed

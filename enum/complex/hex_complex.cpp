@@ -234,6 +234,15 @@ std::vector<BoundaryQuad> boundary_of(const HexComplex& mesh) {
   return result;
 }
 
+bool has_boundary(const HexComplex& mesh, std::vector<BoundaryQuad> quads) {
+  std::vector<BoundaryQuad> own = boundary_of(mesh);
+  for (auto* list : {&own, &quads}) {
+    std::transform(list->begin(), list->end(), list->begin(), from_least);
+    std::sort(list->begin(), list->end());
+  }
+  return own == quads;
+}
+
 std::optional<BrokenLaw> validate(const HexComplex& mesh) {
   if (auto law = cells_law(mesh)) return law;
   if (auto law = strict_law(mesh)) return law;

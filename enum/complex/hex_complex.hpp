@@ -38,11 +38,15 @@ struct HexComplex {
 /// right-handed; in the order of their hexahedra. Requires that quads are in at most two.
 [[nodiscard]] std::vector<BoundaryQuad> boundary_of(const HexComplex& mesh);
 
+/// Whether boundary_of(mesh) consists of these quads, as oriented cycles in any order.
+[[nodiscard]] bool has_boundary(const HexComplex& mesh, std::vector<BoundaryQuad> quads);
+
 /// An order of the hexahedra in which they can be taken off one by one, the rest being a ball
 /// each time; nullopt if none was found in `tries` attempts. Its existence proves that a
 /// complex with validate() == nullopt is a ball; its absence proves nothing.
 /// Method: greedy, fewest shared facets first, ties broken by a seeded hash that differs from
-/// one attempt to the next; deterministic. Cost: O(tries * H log H).
+/// one attempt to the next; deterministic. Cost: O(tries * H log H) if vertices
+/// have bounded degree.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> shelling_of(const HexComplex& mesh,
                                                                     int tries = 100);
 

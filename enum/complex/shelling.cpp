@@ -3,8 +3,8 @@
 // A hexahedron may be taken off a ball if what it shares with the rest is a disc made of facets,
 // so that its free facets form a patch. That is: shared and free facets are both discs, and
 // every edge or vertex of the hexahedron that lies in the rest lies on a shared facet. The order
-// matters a great deal: taking those with the fewest shared facets first shells every known mesh
-// of the literature without backtracking (docs/theory/proofs/shelling.md).
+// matters a great deal: random orders get stuck, those with the fewest shared facets first seldom
+// do (docs/theory/proofs/shelling.md says why an order found is a proof).
 
 #include <algorithm>
 #include <bit>
@@ -131,8 +131,8 @@ class Peeler {
     });
     return fits;
   }
-  /// Everything that shares a vertex with a removed hexahedron may have become removable;
-  /// face neighbours are looked at first, the rest through them.
+  /// What may have become removable shares a vertex with the removed hexahedron; such hexahedra are
+  /// within three steps across facets, except at pinched places, where one is missed.
   template <class Push>
   void touch_around(std::uint32_t c, const Push& push) const {
     std::vector<std::uint32_t> near{c};

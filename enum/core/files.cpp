@@ -73,9 +73,14 @@ mode_t mode_for(const std::filesystem::path& target) {
 void replace_file(const std::filesystem::path& target, std::string_view bytes) {
   const std::filesystem::path folder =
       target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
-  std::string temporary = (folder / ("." + target.filename().string() + ".XXXXXX")).string();
+  std::string temporary = (folder / ".hexatlas.XXXXXX").string();
   const Descriptor fd(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (fd.get() < 0) throw InvalidInput(target.string(), "cannot be created: " + system_message());
+  if (fd.get() < 0) {
+    const bool is_full = errno == ENOSPC || errno == EDQUOT || errno == EMFILE || errno == ENFILE;
+    const std::string message = "cannot be created: " + system_message();
+    if (is_full) throw ResourceFailure(target.string() + ": " + message);
+    throw InvalidInput(target.string(), message);
+  }
   try {
     write_all(fd.get(), bytes, target.string());
     if (::fchmod(fd.get(), mode_for(target)) != 0 || ::fsync(fd.get()) != 0)
@@ -105,7 +110,12 @@ std::string read_file(const std::string& path) {
 void write_file(const std::string& path, std::string_view bytes) {
   if (path == "-") return write_all(STDOUT_FILENO, bytes, "standard output");
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return replace_file(path, bytes);
+  if (::stat(path.c_str(), &status) != 0) {
+    std::error_code unknown;  // then replace_file() finds out
+    if (std::filesystem::is_symlink(std::filesystem::symlink_status(path, unknown)))
+      throw InvalidInput(path, "is a link to something that does not exist");
+    return replace_file(path, bytes);
+  }
   if (S_ISDIR(status.st_mode)) throw InvalidInput(path, "is a directory");
   if (S_ISREG(status.st_mode)) {
     if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)

@@ -18,9 +18,9 @@ inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{4} << 30U;
 /// Replaces `path` by a file with these bytes, or leaves what was there: the bytes go to
 /// a temporary file in the same folder, which is flushed to disk and then renamed; "-" is
 /// standard output. An existing device or pipe is written in place, since renaming would
-/// replace it.
+/// replace it; a link is followed.
 /// Throws InvalidInput if the file cannot be created (no such folder, no permission, a
-/// directory), ResourceFailure if writing fails later (disk full).
+/// directory, a link to nothing), ResourceFailure if writing fails later (disk full).
 void write_file(const std::string& path, std::string_view bytes);
 
 }  // namespace hexatlas::core

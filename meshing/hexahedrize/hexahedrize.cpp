@@ -1,57 +1,38 @@
 #include "meshing/hexahedrize/hexahedrize.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <vector>
 
 #include "enum/canon/code.hpp"
 #include "enum/cells/cube.hpp"
-#include "enum/complex/facets.hpp"
 #include "enum/complex/hex_complex.hpp"
 #include "enum/complex/quad_surface.hpp"
 #include "enum/complex/quadrangulation.hpp"
 #include "enum/core/checks.hpp"
 #include "meshing/hexahedrize/smoothing.hpp"
+#include "realize/exact/volume.hpp"
 
 namespace hexatlas::hexahedrize {
 namespace {
 
-using complex::BoundaryQuad;
 using complex::QuadSphere;
 using mesh::Point;
 
-/// Whether the surface encloses a negative volume, that is, faces inwards. Coordinates are
-/// scaled first so that nothing overflows; a volume too small to have a clear sign counts as
-/// positive.
-bool faces_inwards(const QuadSphere& sphere, const std::vector<Point>& points) {
-  double size = 0;
-  for (const auto p : sphere.point_of)
-    size = std::max({size, std::abs(points[p].x), std::abs(points[p].y), std::abs(points[p].z)});
-  if (size == 0) return false;
-  const Point origin = points[sphere.point_of.front()];
+/// The sign of the volume that the surface encloses. A quad need not be planar: it is cut along
+/// either diagonal, which gives twice the volume under the bilinear surface.
+exact::Sign sign_of_volume(const QuadSphere& sphere, const std::vector<Point>& points) {
   const auto at = [&](complex::VertexId v) {
     const Point& p = points[sphere.point_of[v]];
-    return Point{p.x / size - origin.x / size, p.y / size - origin.y / size,
-                 p.z / size - origin.z / size};
+    return exact::Point3{p.x, p.y, p.z};
   };
-  const auto volume = [](const Point& a, const Point& b, const Point& c) {
-    return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
-           a.z * (b.x * c.y - b.y * c.x);
-  };
-  double total = 0;
-  double magnitude = 0;
+  std::vector<std::array<exact::Point3, 3>> triangles;
+  triangles.reserve(4 * sphere.quads.size());
   for (const auto& quad : sphere.quads) {
-    const std::array<Point, 4> p{at(quad[0]), at(quad[1]), at(quad[2]), at(quad[3])};
-    // Both ways to cut the quad, since it need not be planar.
-    for (const auto& [a, b, c] :
-         {std::array{0, 1, 2}, std::array{0, 2, 3}, std::array{1, 2, 3}, std::array{1, 3, 0}}) {
-      const double v = volume(p[a], p[b], p[c]);
-      total += v;
-      magnitude += std::abs(v);
-    }
+    const std::array p{at(quad[0]), at(quad[1]), at(quad[2]), at(quad[3])};
+    for (std::size_t i = 0; i < 4; ++i) triangles.push_back({p[i], p[(i + 1) % 4], p[(i + 2) % 4]});
   }
-  return total < -1e-12 * magnitude;
+  return exact::sign_of_volume(triangles);
 }
 
 void turn_over(QuadSphere& sphere) {
@@ -69,16 +50,6 @@ complex::HexComplex carried_over(complex::HexComplex mesh, const canon::Canonica
     if (form.is_mirrored) cells::exchange_axes(cell);  // a mirror image, right-handed again
   }
   return mesh;
-}
-
-void ensure_boundary(const complex::HexComplex& mesh, const QuadSphere& sphere) {
-  std::vector<BoundaryQuad> got = complex::boundary_of(mesh);
-  std::vector<BoundaryQuad> wanted = sphere.quads;
-  for (auto* quads : {&got, &wanted}) {
-    std::transform(quads->begin(), quads->end(), quads->begin(), complex::from_least);
-    std::sort(quads->begin(), quads->end());
-  }
-  core::ensures(got == wanted, "the mesh from the table has the boundary asked for");
 }
 
 Hexahedrized with_coordinates(const complex::HexComplex& cells, const QuadSphere& sphere,
@@ -128,8 +99,15 @@ Answer hexahedrize(const mesh::SurfaceMesh& surface, const format::Table& table,
                    const std::string& file) {
   QuadSphere sphere = sphere_of(surface, file);
   Answer answer;
-  answer.notes = {sphere.unused_points, sphere.reversed, faces_inwards(sphere, surface.points)};
-  if (answer.notes.turned_outwards) turn_over(sphere);
+  const exact::Sign volume = sign_of_volume(sphere, surface.points);
+  const bool is_tie = 2 * sphere.reversed == sphere.quads.size();
+  if (is_tie && volume == exact::Sign::zero)
+    throw core::InvalidInput(file,
+                             "half of the quads are oriented against the other half, and no volume "
+                             "is enclosed that would tell which half is right");
+  const bool faces_inwards = volume == exact::Sign::negative;
+  if (faces_inwards) turn_over(sphere);
+  answer.notes = {sphere.unused_points, sphere.reversed, faces_inwards && !is_tie};
   if (auto reason = complex::reason_against_filling(sphere)) {
     answer.outcome = Impossible{*std::move(reason)};
     return answer;
@@ -146,7 +124,9 @@ Answer hexahedrize(const mesh::SurfaceMesh& surface, const format::Table& table,
     return answer;
   }
   const complex::HexComplex cells = carried_over(table.mesh(*ordinal), form, sphere.vertices());
-  ensure_boundary(cells, sphere);
+  if (!complex::has_boundary(cells, sphere.quads))
+    throw core::InvalidInput(table.path(),
+                             "holds a mesh of another boundary under " + canon::to_text(form.code));
   Hexahedrized made = with_coordinates(cells, sphere, surface.points);
   made.code = canon::to_text(form.code);
   answer.outcome = std::move(made);

@@ -3,9 +3,10 @@
 /// Hexahedral mesh of a ball given by a quad surface: the boundary's canonical code is looked up
 /// in a table, and the mesh found there is carried over to the surface's own vertices.
 ///
-/// All of it is exact combinatorics, the same on every machine, except where the interior
-/// vertices are placed: each becomes the mean of its neighbours (smoothing.hpp). Nothing is
-/// promised about the shape of the hexahedra; meshing/quality says what it is.
+/// All of it is exact, the same on every machine, except where the interior vertices are placed:
+/// each becomes the mean of its neighbours (smoothing.hpp). Nothing is promised about the shape of
+/// the hexahedra; meshing/quality says what it is. That the mesh obeys the strict rule and is a
+/// ball is the word of the table; tables/check is the judge of that.
 
 #include <cstddef>
 #include <optional>
@@ -20,7 +21,7 @@
 namespace hexatlas::hexahedrize {
 
 /// A mesh whose first points are those of the surface, bit for bit and in order; the quads in
-/// one hexahedron only are those of the surface up to rotation (and up to `reversed` below).
+/// one hexahedron only are those of the surface, up to rotation and the notes on orientation.
 struct Hexahedrized {
   mesh::HexMesh mesh;
   std::string code;  ///< of the boundary, which is the key of the table's entry
@@ -42,7 +43,7 @@ struct NotInTable {
 struct SurfaceNotes {
   std::size_t unused_points = 0;   ///< kept as points of the mesh
   std::size_t reversed_quads = 0;  ///< turned over to agree with the majority
-  bool turned_outwards = false;    ///< all quads turned over, since they faced inwards
+  bool turned_outwards = false;    ///< all quads turned over: the volume was negative
 };
 
 struct Answer {

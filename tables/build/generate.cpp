@@ -1,11 +1,11 @@
 #include "tables/build/generate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
 
-#include "enum/complex/facets.hpp"
 #include "enum/core/checks.hpp"
 #include "enum/flips/meeting.hpp"
 
@@ -17,14 +17,14 @@ void ensure_fills(const complex::HexComplex& mesh, const canon::Code& code) {
   if (const auto law = complex::validate(mesh))
     throw core::InternalError("a mesh found for " + canon::to_text(code) +
                               " breaks a law: " + law->reason);
-  std::set<complex::BoundaryQuad> wanted, got;
+  std::vector<complex::BoundaryQuad> wanted;
   const auto boundary = canon::decode(code).value();
   for (int q = 0; q < boundary.quads(); ++q) {
     const auto v = boundary.vertices_of(q);
-    wanted.insert(complex::from_least({v[0], v[1], v[2], v[3]}));
+    wanted.push_back({v[0], v[1], v[2], v[3]});
   }
-  for (const auto& quad : complex::boundary_of(mesh)) got.insert(complex::from_least(quad));
-  core::ensures(wanted == got, "a mesh found has the boundary it was found for");
+  core::ensures(complex::has_boundary(mesh, std::move(wanted)),
+                "a mesh found has the boundary it was found for");
 }
 
 using Report = std::function<void(const Progress&)>;
@@ -91,9 +91,18 @@ std::vector<canon::Code> three_connected_codes(int max_quads) {
       if (known.insert(code).second) todo.push_back(code);
     });
   }
+  constexpr std::array<std::size_t, 7> kNumber{1, 1, 3, 11, 58, 451, 4461};  // A007022(6), (8), ...
+  std::array<std::size_t, kNumber.size()> found{};
   std::vector<canon::Code> result;
   for (const canon::Code& code : known)
-    if (code.quads <= max_quads) result.push_back(code);
+    if (code.quads <= max_quads) {
+      result.push_back(code);
+      ++found[static_cast<std::size_t>(code.quads - 6) / 2];
+    }
+  for (int n = 6; n <= max_quads; n += 2)
+    core::ensures(
+        found[static_cast<std::size_t>(n - 6) / 2] == kNumber[static_cast<std::size_t>(n - 6) / 2],
+        "flips reach every 3-connected even quadrangulation of this size");
   return result;
 }
 

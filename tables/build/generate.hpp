@@ -20,8 +20,8 @@ namespace hexatlas::build {
 /// All 3-connected quadrangulations with an even number of quads up to `max_quads` that flips
 /// reach from the cube through 3-connected ones with at most max_quads + 6, and at least 20, quads,
 /// ascending. Requires max_quads <= 18.
-/// Not promised: completeness; for up to 14 quads the numbers are those of OEIS A007022 (1, 1,
-/// 3, 11, 58), which a test checks.
+/// Complete: their numbers are those of OEIS A007022 (1, 1, 3, 11, 58, 451, 4461 for 6, 8, ..., 18
+/// quads), else InternalError.
 [[nodiscard]] std::vector<canon::Code> three_connected_codes(int max_quads);
 
 struct Stage {

@@ -91,6 +91,12 @@ Quad least_first(const Quad& quad) {
   return result;
 }
 
+std::vector<Quad> sorted_cycles(std::vector<Quad> quads) {
+  for (Quad& quad : quads) quad = least_first(quad);
+  std::sort(quads.begin(), quads.end());
+  return quads;
+}
+
 Quad reversed(const Quad& quad) { return {quad[0], quad[3], quad[2], quad[1]}; }
 
 }  // namespace hexatlas::check

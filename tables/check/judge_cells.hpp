@@ -25,6 +25,8 @@ namespace hexatlas::check {
 /// The same cycle with its least vertex first; two oriented cycles are equal up to rotation exactly
 /// when these are equal.
 [[nodiscard]] Quad least_first(const Quad& quad);
+/// All cycles with their least vertices first, in ascending order.
+[[nodiscard]] std::vector<Quad> sorted_cycles(std::vector<Quad> quads);
 [[nodiscard]] Quad reversed(const Quad& quad);
 
 }  // namespace hexatlas::check

@@ -6,7 +6,9 @@
 /// Formats, by the ending of the name, in either case: `.vtk` (legacy, ASCII,
 /// versions 2.0, 3.0, 4.2, 5.1, UNSTRUCTURED_GRID), `.vtu` (ASCII; base64 inline; appended raw or
 /// base64; uncompressed or zlib; little-endian), `.mesh` (MEDIT, ASCII), `.msh` (Gmsh 2.2 and 4.1,
-/// ASCII), and for surfaces also `.obj` and `.off`.
+/// ASCII), and for surfaces also `.obj` and `.off`. Where the name has no ending (a pipe, standard
+/// input) the first bytes decide: `# vtk DataFile`, `<?xml` or `<VTKFile`, `MeshVersionFormatted`,
+/// `$MeshFormat`, `OFF`; a surface that begins otherwise is OBJ.
 ///
 /// Points keep the order of the file. Of the cells, hexahedra and quads are kept; isolated points
 /// and line segments are passed over, since they carry no part of a mesh; any other cell is
@@ -45,11 +47,12 @@ struct Mesh {
   std::vector<Quad> quads;  ///< the boundary as listed in the file; empty if it lists none
 };
 
+/// "-" is standard input; pipes and devices are read until they end. At most 4 GiB.
 [[nodiscard]] Mesh read_mesh(const std::filesystem::path& path);
 [[nodiscard]] Surface read_surface(const std::filesystem::path& path);
 
-/// The same for bytes in memory; the format is that of the ending of `name`, which also opens
-/// each message.
+/// The same for bytes in memory; the format is that of the ending of `name`, or of the first
+/// bytes; `name` also opens each message.
 [[nodiscard]] Mesh parse_mesh(const std::string& name, std::string_view bytes);
 [[nodiscard]] Surface parse_surface(const std::string& name, std::string_view bytes);
 

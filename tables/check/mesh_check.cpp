@@ -14,14 +14,6 @@ namespace hexatlas::check {
 
 namespace {
 
-std::vector<Quad> sorted_cycles(const std::vector<Quad>& quads) {
-  std::vector<Quad> cycles;
-  cycles.reserve(quads.size());
-  for (const Quad& quad : quads) cycles.push_back(least_first(quad));
-  std::sort(cycles.begin(), cycles.end());
-  return cycles;
-}
-
 std::vector<Quad> all_reversed(std::vector<Quad> quads) {
   for (Quad& quad : quads) quad = reversed(quad);
   return quads;

@@ -42,12 +42,6 @@ bool unpack(std::string_view stored, std::uint64_t unpacked, std::string& bytes)
   return in.pos == in.size && bytes.size() == unpacked;
 }
 
-std::vector<Quad> sorted_cycles(std::vector<Quad> quads) {
-  for (Quad& quad : quads) quad = least_first(quad);
-  std::sort(quads.begin(), quads.end());
-  return quads;
-}
-
 /// Decodes a key into its canonical list of quads; returns what is wrong with it, or nothing.
 std::string decode_key(std::string_view key, std::size_t quads, std::vector<Quad>& boundary) {
   const std::optional<CodeWord> word = word_of_key(key, quads);

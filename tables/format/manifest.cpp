@@ -56,8 +56,8 @@ ManifestClaims read_manifest(const std::string& path) {
   const auto json = nlohmann::json::parse(core::read_file(path), nullptr, false);
   try {
     if (!json.is_discarded())
-      return {json.at("sha256"),  json.at("bytes"),   json.at("entries"),
-              json.at("command"), json.at("program"), json.at("commit")};
+      return {json.at("sha256"), json.at("bytes"),   json.at("entries"), json.at("command"),
+              json.at("seed"),   json.at("program"), json.at("commit")};
   } catch (const nlohmann::json::exception&) {
     throw core::InvalidInput(path, "is not a manifest: a key is missing or of another type");
   }

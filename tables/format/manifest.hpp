@@ -32,13 +32,16 @@ struct Tally {
 /// The keys of docs/formats/table.md, in their order.
 [[nodiscard]] std::string manifest_text(const Table& table, const Provenance& provenance);
 
-/// What a manifest says that a table can be held against.
+/// What a manifest claims. A table is as its manifest says if manifest_text() of the table and the
+/// claimed provenance is the manifest, byte for byte; the provenance itself is only claimed.
 /// Throws InvalidInput if it is not a manifest.
 struct ManifestClaims {
   std::string sha256;
   std::uint64_t bytes = 0;
   std::uint64_t entries = 0;
-  std::string command, program, commit;
+  std::string command;
+  std::uint64_t seed = 0;
+  std::string program, commit;
 };
 [[nodiscard]] ManifestClaims read_manifest(const std::string& path);
 

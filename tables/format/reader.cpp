@@ -26,7 +26,7 @@ constexpr std::size_t kMaxRecordSize = 4 + 1 + 16 * std::size_t{65'535};
 class MappedFile {
  public:
   explicit MappedFile(const std::string& path) {
-    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // no waiting at a pipe
     if (fd < 0)
       throw core::InvalidInput(path, std::string("cannot be opened: ") + std::strerror(errno));
     struct stat status {};

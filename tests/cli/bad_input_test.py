@@ -244,6 +244,11 @@ class BadOutput(program.ProgramTest):
         for output in ("closed/made.vtk", "made.vtk"):
             self.refuse(output, **options)
         self.assertEqual(self.read("made.vtk"), BEFORE)
+        self.write("a.manifest.json", BEFORE)
+        os.chmod(self.path("a.manifest.json"), 0o444)
+        for output, named in (("closed/a.hxt", "closed/a.hxt"), ("a.hxt", "a.manifest.json")):
+            ran = self.hexatlas("table", "build", "-o", output, "--max-quads", "18", **options)
+            self.expect_fault(ran, named)
         os.chmod(self.path("cube.obj"), 0)
         ran = self.hexatlas("mesh", "hex", "cube.obj", "-o", "new.vtk", **options)
         self.expect_fault(ran, "cube.obj")

@@ -15,7 +15,7 @@ import hex_files
 import program
 import surfaces
 
-KEYS = {"quads", "hexahedra", "interior_vertices", "min_scaled_jacobian", "mean_scaled_jacobian",
+KEYS = {"outcome", "quads", "hexahedra", "interior_vertices", "min_scaled_jacobian", "mean_scaled_jacobian",
         "inverted", "valid", "table_entry", "seconds"}
 OUTPUTS = (".vtk", ".vtu", ".mesh", ".msh")
 
@@ -66,13 +66,12 @@ class Inputs(MeshTest):
 
     def mesh_and_judge(self, surface, output):
         ran = self.mesh(surface, "--json", output=output)
-        if ran.code == 4:
-            self.skipTest("not in the table: " + ran.err)
         self.expect(0, ran)
         self.assertEqual(ran.err, "")
         self.assertEqual(ran.out.count("\n"), 1)
         said = json.loads(ran.out)
         self.assertEqual(set(said), KEYS)
+        self.assertEqual(said["outcome"], "meshed")
         self.assertEqual(said["quads"], len(surface[1]))
         judged = self.expect(0, self.hexatlas("check", output, "--boundary", "in.obj", "--json"))
         self.assertEqual(judged.err, "")
@@ -130,6 +129,23 @@ class Inputs(MeshTest):
         ran = self.expect(0, self.hexatlas("mesh", "hex", "in.obj", "-o", "-", "--json"))
         self.assertEqual(ran.out.encode(), self.read("out.vtk"))
         self.assertEqual(json.loads(ran.err)["hexahedra"], 2)
+
+    def test_the_input_is_not_overwritten(self):
+        text = surfaces.vtk(*surfaces.cube()).encode()
+        self.write("in.vtk", text)
+        os.symlink("in.vtk", self.path("symbolic.vtk"))
+        os.link(self.path("in.vtk"), self.path("hard.vtk"))
+        before = self.listing()
+        for output in ("in.vtk", "./in.vtk", self.path("in.vtk"), "symbolic.vtk", "hard.vtk"):
+            for source, target in (("in.vtk", output), (output, "in.vtk")):
+                ran = self.expect(2, self.hexatlas("mesh", "hex", source, "-o", target))
+                self.assertEqual(ran.out, "")
+                self.assertRegex(ran.err, r"\Ahexatlas: [^\n]*same file[^\n]*\n\Z")
+                self.assertEqual(self.read("in.vtk"), text)
+                self.assertEqual(self.listing(), before)
+
+    def test_help_says_where_words_go(self):
+        self.assertIn("standard error", self.hexatlas("mesh", "hex", "--help").out)
 
     def test_an_existing_output_is_replaced_and_gets_the_mode_of_a_new_file(self):
         self.write("cube.obj", surfaces.obj(*surfaces.cube()))
@@ -242,7 +258,24 @@ class NoMesh(MeshTest):
         for word in words:
             self.assertIn(word, ran.err)
         self.assertEqual(self.listing(), ["in.obj"])
+        self.expect_object(code, surface, ran.err)
         return ran.err
+
+    def expect_object(self, code, surface, sentence):
+        """--json adds an object that says the same; with -o - on standard error."""
+        ran = self.expect(code, self.mesh(surface, "--json"))
+        self.assertEqual(ran.err, sentence)
+        self.assertEqual(ran.out.count("\n"), 1)
+        said = json.loads(ran.out)
+        self.assertEqual(list(said), ["outcome", "quads", "reason", "code"])
+        self.assertEqual(said["outcome"], {1: "impossible", 4: "not_in_table"}[code])
+        self.assertEqual(said["quads"], len(surface[1]))
+        self.assertEqual(sentence, f"hexatlas: in.obj: {said['reason']}\n")
+        found = re.search(r"q1:[0-9a-f]+", sentence)
+        self.assertEqual(said["code"], found.group(0) if found else None)
+        other = self.expect(code, self.mesh(surface, "--json", output="-"))
+        self.assertEqual((other.out, other.err), ("", sentence + ran.out))
+        self.assertEqual(self.listing(), ["in.obj"])
 
     def test_odd_number_of_quads(self):
         self.answer(1, surfaces.cube_with_cut_quad(1), "7 quads", "odd")
@@ -250,6 +283,9 @@ class NoMesh(MeshTest):
     def test_two_quads(self):
         points, _ = surfaces.cube()
         self.answer(1, (points[:4], [[0, 1, 2, 3], [3, 2, 1, 0]]), "2 quads")
+        # It has a code all the same.
+        code = self.expect(0, self.hexatlas("code", "in.obj", "--json"))
+        self.assertEqual(json.loads(code.out)["quads"], 2)
 
     def test_not_three_connected(self):
         # Two quads with two edges in common; two quads with two opposite vertices in common.

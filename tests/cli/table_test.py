@@ -94,16 +94,42 @@ class Build(TableTest):
 
     def test_what_would_be_in_vain_is_told_before_the_search(self):
         os.mkdir(self.path("folder.hxt"))
-        for output in ("nowhere/a.hxt", "folder.hxt"):
+        os.mkdir(self.path("b.manifest.json"))
+        for output, named in (("nowhere/a.hxt", "nowhere/a.hxt"), ("folder.hxt", "folder.hxt"),
+                              ("b.hxt", "b.manifest.json"), ("c" * 300, "c" * 300),
+                              ("c" * 250, "c" * 250 + ".manifest.json")):
             ran = self.hexatlas("table", "build", "-o", output, "--max-quads", "18")
-            self.expect_fault(ran, output)
+            self.expect_fault(ran, named)
         for word in ("pyramid", "q1:", "q1:zz", "q1:08a5d", "q1:18a5df", "08a5df"):
             ran = self.hexatlas("table", "build", "-o", "a.hxt", "--max-quads", "18", "--also", word)
             self.expect_fault(ran, word)
-        self.assertEqual(self.listing(), ["folder.hxt"])
+        self.assertEqual(self.listing(), ["b.manifest.json", "folder.hxt"])
+
+    def test_a_manifest_that_cannot_be_written(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("no /dev/full")
+        os.symlink("/dev/full", self.path("a.manifest.json"))
+        ran = self.expect(5, self.hexatlas("table", "build", "-o", "a.hxt", *SMALL))
+        self.assertEqual(ran.out, "")
+        self.assertIn("the table a.hxt was written, its manifest was not\n", ran.err)
+        os.remove(self.path("a.manifest.json"))
+        self.expect(0, self.hexatlas("table", "check", "a.hxt"))
+
+    def test_seeds_are_whole_numbers_of_64_bits(self):
+        for word, seed in (("0", 0), ("010", 10), ("9007199254740993", 2**53 + 1),
+                           ("18446744073709551615", 2**64 - 1)):
+            self.build("a.hxt", "--seed", word)
+            self.assertEqual(json.loads(self.read("a.manifest.json"))["seed"], seed)
+        for word in ("-1", "+1", "1e3", "1.5", "0x5", "seven", "", " 7", "7 ",
+                     "18446744073709551616", "1" * 400):
+            with self.subTest(seed=word):
+                ran = self.expect(2, self.hexatlas("table", "build", "-o", "b.hxt", *SMALL,
+                                                   "--seed", word))
+                self.assertRegex(ran.err, r"\Ahexatlas: --seed: [^\n]+\n\Z")
+        self.assertEqual(self.listing(), ["a.hxt", "a.manifest.json"])
 
     def test_wrong_options(self):
-        for options in (["-o", "-"], ["-o", "a.hxt", "--max-quads", "40"],
+        for options in (["-o", "-"], ["-o", ""], ["--output="], ["-o", "a.hxt", "--max-quads", "40"],
                         ["-o", "a.hxt", "--max-quads", "ten"], ["-o", "a.hxt", "--seed", "-1"],
                         ["-o", "a.hxt", "-j", "0"], ["-o", "a.hxt", "--max-ball", "0"], []):
             with self.subTest(options=options):
@@ -172,8 +198,9 @@ class Read(TableTest):
                                                "two-cubes", "-o", "mesh.json"))
         self.assertEqual((to_file.out, self.read("mesh.json").decode()), ("", by_name.out))
 
-    def test_words_of_other_flags_are_the_same_boundary(self):
+    def test_words_of_other_flags_are_refused_with_the_code(self):
         quads = stacked_cubes()
+        code = reference_code.code(quads)
         degree = {}
         for quad in quads:
             for v in quad:
@@ -186,11 +213,25 @@ class Read(TableTest):
                     words.add("q1:" + "".join(f"{4 * int(a) + int(b):x}"
                                               for a, b in zip(letters[::2], letters[1::2])))
         self.assertGreater(len(words), 2)
-        wanted = self.hexatlas("table", "get", "--table", "small.hxt", "--name", "two-cubes").out
-        for word in sorted(words):
-            ran = self.expect(0, self.hexatlas("table", "get", "--table", "small.hxt", "--code",
-                                               word))
-            self.assertEqual(ran.out, wanted)
+        self.assertIn(code, words)
+        for word in sorted(words - {code}):
+            ran = self.hexatlas("table", "get", "--table", "small.hxt", "--code", word)
+            self.expect_fault(ran, word)
+            self.assertIn(code, ran.err)
+
+    def test_codes_that_no_mesh_can_have(self):
+        for surface, said in ((surfaces.cube_with_cut_quad(1), ("7 quads", "odd")),
+                              (surfaces.cube_with_cut_quad(2), ("3-connected", "opposite")),
+                              (surfaces.four_lenses(), ("3-connected", "opposite"))):
+            code = reference_code.code([tuple(quad) for quad in surface[1]])
+            ran = self.expect(1, self.hexatlas("table", "get", "--table", "small.hxt", "--code",
+                                               code))
+            self.assertEqual(ran.out, "")
+            self.assertRegex(ran.err, r"\Ahexatlas: " + code + r": no hexahedral mesh [^\n]+\n\Z")
+            for word in said:
+                self.assertIn(word, ran.err)
+        # Two quads, in a word that is not canonical.
+        self.expect(1, self.hexatlas("table", "get", "--table", "small.hxt", "--code", "q1:05"))
 
     def test_get_what_is_not_there(self):
         for option, word in (("--name", "nobody"), ("--name", "Cube"), ("--code", "q1:zz"),
@@ -256,12 +297,32 @@ class Read(TableTest):
         digest = hashlib.sha256(self.good).hexdigest()
         self.write("small.manifest.json", text.replace(digest, "0" * 64))
         self.expect(1, self.hexatlas("table", "check", "small.hxt"))
+        claims = json.loads(text)
+        for key, value in (("format", "hexatlas table 2"), ("file", "other.hxt"), ("bytes", 1),
+                           ("entries", 3), ("by_quads", {}), ("names", {}), ("more", 1)):
+            with self.subTest(key=key):
+                self.write("small.manifest.json",
+                           json.dumps({**claims, key: value}, indent=2) + "\n")
+                ran = self.expect(1, self.hexatlas("table", "check", "small.hxt"))
+                self.assertRegex(ran.out, r"\Asmall\.hxt: rejected: [^\n]+manifest[^\n]+\n\Z")
+        for other in (text.replace('"seed": 1', '"seed": 1.0'), text + "\n"):
+            self.assertNotEqual(other, text)
+            self.write("small.manifest.json", other)
+            self.expect(1, self.hexatlas("table", "check", "small.hxt"))
+        # Who made it, and how, a table cannot tell: that is only claimed.
+        self.write("small.manifest.json", json.dumps({**claims, "seed": 9, "commit": "x"}, indent=2)
+                   + "\n")
+        self.expect(0, self.hexatlas("table", "check", "small.hxt"))
         for content in ("", "{}", "[]", "not json", text.replace('"entries": 2', '"entries": "x"')):
             self.write("small.manifest.json", content)
             self.expect_fault(self.hexatlas("table", "check", "small.hxt"), "small.manifest.json")
         os.remove(self.path("small.manifest.json"))
         ran = self.expect(0, self.hexatlas("table", "check", "small.hxt"))
         self.assertIn("no manifest", ran.out)
+
+    def test_a_name_that_leaves_no_room_for_a_manifest(self):
+        name = self.write("t" * 250, self.good)
+        self.assertIn("no manifest", self.expect(0, self.hexatlas("table", "check", name)).out)
 
     def test_no_table(self):
         os.mkdir(self.path("folder.hxt"))

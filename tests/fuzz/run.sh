@@ -5,7 +5,7 @@
 # to BUILD_DIRECTORY/fuzz-findings. Exits with 1 at the first finding.
 set -eu
 build=${1:?usage: run.sh BUILD_DIRECTORY [RUNS_PER_TARGET] [SEED]}
-runs=${2:-1000000}
+runs=${2:-1200000}
 seed=${3:-1}
 here=$(cd "$(dirname "$0")" && pwd)
 for format in obj off vtk vtu medit gmsh code judge table; do

@@ -122,14 +122,22 @@ TEST_F(Files, AFileWithALongNameIsReplaced) {
   // 250 characters are a legal name, but no longer one with anything added to it.
   const std::string name(250, 'n');
   { std::ofstream(path(name)) << "old"; }
-  try {
-    core::write_file(path(name), "new");
-    EXPECT_EQ(content(path(name)), "new");
-  } catch (const InvalidInput&) {
-    EXPECT_EQ(content(path(name)), "old");
-  }
+  core::write_file(path(name), "new");
+  EXPECT_EQ(content(path(name)), "new");
   EXPECT_THROW(core::write_file(path(std::string(300, 'n')), "new"), InvalidInput);
   EXPECT_EQ(entries(), 1) << "a temporary file was left";
+}
+
+TEST_F(Files, ALinkIsFollowedAndALinkToNothingIsRefused) {
+  { std::ofstream(path("target")) << "old"; }
+  fs::create_symlink(path("target"), path("link"));
+  core::write_file(path("link"), "new");
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(content(path("target")), "new");
+  fs::create_symlink(path("nothing"), path("dangling"));
+  EXPECT_THROW(core::write_file(path("dangling"), "new"), InvalidInput);
+  EXPECT_TRUE(fs::is_symlink(path("dangling")));
+  EXPECT_EQ(entries(), 3);
 }
 
 TEST_F(Files, AFullDeviceIsAResourceFailure) {

@@ -312,10 +312,24 @@ TEST(ReadMesh, RefusesMalformedPolygons) {
   expect_malformed("a.stl", "solid\n", "a mesh file ends in");
 }
 
-TEST(ReadMesh, RefusesWhatIsNoFile) {
-  EXPECT_THROW(static_cast<void>(read_mesh("/no/such/file.vtk")), Malformed);
-  EXPECT_THROW(static_cast<void>(read_mesh("/")), Malformed);
-  EXPECT_THROW(static_cast<void>(read_surface("/dev/zero")), Malformed);
+TEST(ReadMesh, TellsFormatsApartByTheirFirstBytes) {
+  const Mesh wanted = sample();
+  for (const auto& [name, write] : examples::kMeshFormats) {
+    SCOPED_TRACE(name);
+    expect_equal(parse_mesh("standard input", write(wanted)), wanted);
+    expect_equal(parse_mesh("/dev/fd/63", "\xEF\xBB\xBF" + write(wanted)), wanted);
+  }
+  const Surface surface{wanted.points, wanted.quads};
+  for (const std::string& bytes :
+       {examples::obj(surface), examples::off(surface), "# OFF\n" + examples::obj(surface),
+        "# vtk\n" + examples::off(surface)}) {
+    const Surface read = parse_surface("standard input", bytes);
+    expect_equal({read.points, {}, read.quads}, {wanted.points, {}, wanted.quads});
+  }
+  expect_malformed("standard input", "", "is empty");
+  expect_malformed("standard input", "# only a comment", "is empty");
+  expect_malformed("standard input", "solid\n", "unknown record 'solid'");
+  EXPECT_THROW(static_cast<void>(parse_mesh("standard input", examples::obj(surface))), Malformed);
 }
 
 }  // namespace

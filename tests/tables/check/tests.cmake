@@ -1,3 +1,6 @@
+hexatlas_test(tables_check_file_bytes_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/file_bytes_test.cpp
+  USES tables_check)
 hexatlas_test(tables_check_mesh_check_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/mesh_check_test.cpp
   USES tables_check)

@@ -234,6 +234,7 @@ TEST_F(TableFile, ManifestSaysWhatTheTableIs) {
   EXPECT_EQ(claims.bytes, table.bytes());
   EXPECT_EQ(claims.entries, table.size());
   EXPECT_EQ(claims.command, "build it");
+  EXPECT_EQ(claims.seed, 7U);
   EXPECT_EQ(claims.program, "hexatlas 1");
   EXPECT_EQ(claims.commit, "abc");
   for (const char* text : {"", "{", "[]", "{}", "{\"sha256\": 3}", "null"}) {

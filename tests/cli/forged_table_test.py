@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""Claim. `mesh hex` writes nothing but meshes that the judge accepts, even if the table lies.
+Oracle. A table written here, byte by byte from docs/formats/table.md, with a digest that is
+right and a mesh that is wrong: the cube and, apart from it, one hexahedron twice.
+usage: forged_table_test.py PROGRAM
+"""
+import hashlib
+import json
+import os
+import struct
+
+import program
+
+CUBE = os.path.join(program.INPUTS, "cube.obj")
+KEY = bytes.fromhex("08a5df")
+
+
+def stored(raw):
+    """One Zstandard frame with one raw block; below 256 bytes."""
+    header = b"\x28\xb5\x2f\xfd" + bytes([0x20, len(raw)])
+    return header + struct.pack("<I", 1 | len(raw) << 3)[:3] + raw
+
+
+def table(cells, interior):
+    payload = b"\x01" + b"".join(struct.pack("<8H", *cell) for cell in cells)
+    raw = struct.pack("<I", len(payload)) + payload
+    block = stored(raw)
+    index = 128 + 32
+    directory = index + len(KEY) + 8
+    names = directory + 16 + len(block)
+    body = struct.pack("<IIQQQ", 6, len(KEY), 0, 1, index)
+    body += KEY + struct.pack("<HHHH", len(cells), interior, 1, 0)
+    body += struct.pack("<QII", directory + 16, len(block), len(raw)) + block
+    head = b"hexatlas" + struct.pack("<IIQQIIIIQQQ", 1, 0x0A0B0C0D, names, 1, 1, 1, 0, 64, index,
+                                     directory, names)
+    head = head.ljust(128, b"\0")
+    digest = hashlib.sha256(head + body).digest()
+    return head[:96] + digest + body
+
+
+class ForgedTableTest(program.ProgramTest):
+    def mesh_with(self, cells, interior):
+        self.write("forged.hxt", table(cells, interior))
+        return self.hexatlas("mesh", "hex", CUBE, "-o", "out.vtk", "--table", "forged.hxt")
+
+    def sound_cell(self):
+        """The cube's own cell in canonical labels, as the shipped table has it."""
+        got = self.expect(0, self.hexatlas("table", "get", "--name", "cube"))
+        return json.loads(got.out)["cells"][0]
+
+    def test_a_sound_table_is_used(self):
+        self.expect(0, self.mesh_with([self.sound_cell()], 0))
+        self.assertTrue(os.path.exists(self.path("out.vtk")))
+
+    def test_a_lying_table_is_not_believed(self):
+        apart = [8, 9, 10, 11, 12, 13, 14, 15]
+        ran = self.expect(3, self.mesh_with([self.sound_cell(), apart, apart], 8))
+        self.assertIn("forged.hxt: holds a mesh", ran.err)
+        self.assertFalse(os.path.exists(self.path("out.vtk")))
+
+
+if __name__ == "__main__":
+    program.main()
