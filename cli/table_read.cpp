@@ -64,11 +64,11 @@ canon::Code code_of_name(const std::string& name, const format::Table& table) {
 
 complex::Quadrangulation boundary_of(const std::string& word) {
   const auto code = canon::from_text(word);
-  auto boundary = code ? canon::decode(*code) : std::nullopt;
+  const auto boundary = code ? canon::decode(*code) : std::nullopt;
   if (!boundary)
     throw core::InvalidInput(word,
                              "is no code of a quadrangulation; `hexatlas code SURFACE` gives one");
-  return *std::move(boundary);
+  return *boundary;
 }
 
 /// As complex::reason_against_filling says it, for words whose graph need not be simple.
