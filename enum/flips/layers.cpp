@@ -4,6 +4,7 @@
 #include "enum/flips/beam.hpp"
 
 namespace hexatlas::flips {
+
 Layers layers_along(const Beam& beam, FrontId id, Growth growth) {
   const auto path = beam.path_to(id);
   Layers result;

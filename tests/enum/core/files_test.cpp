@@ -141,7 +141,7 @@ TEST_F(Files, ALinkIsFollowedAndALinkToNothingIsRefused) {
 }
 
 TEST_F(Files, AFullDeviceIsAResourceFailure) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP();
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "this system has no /dev/full";
   const std::string message =
       message_of<ResourceFailure>([] { core::write_file("/dev/full", "x"); });
   EXPECT_NE(message.find("/dev/full"), std::string::npos) << message;
