@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "enum/core/errors.hpp"
+#include "tables/check/catalogue.hpp"
+#include "tables/check/completeness.hpp"
+#include "tables/check/file_bytes.hpp"
 #include "tables/check/malformed.hpp"
 #include "tables/check/mesh_check.hpp"
 
@@ -38,11 +42,86 @@ std::string sentence(const CheckOptions& options, const check::Verdict& verdict)
       verdict.ball_proof, options.boundary.empty() ? "" : "; its boundary is " + options.boundary);
 }
 
+struct NamedCounts {
+  const char* condition;
+  check::ConditionCounts counts;
+};
+std::array<NamedCounts, 3> named_counts(const check::CatalogueVerdict& verdict) {
+  return {{{"realizable", verdict.conditions[0]},
+           {"in convex position", verdict.conditions[1]},
+           {"with positive Jacobian", verdict.conditions[2]}}};
+}
+
+std::string json_line(const check::CatalogueVerdict& verdict) {
+  nlohmann::ordered_json json;
+  json["accepted"] = verdict.accepted;
+  json["reason"] = verdict.reason;
+  json["name"] = verdict.name;
+  json["vertices"] = verdict.vertices;
+  json["interior"] = verdict.interior;
+  json["classes"] = verdict.classes;
+  json["labelled"] = verdict.labelled;
+  json["claims_exhaustive"] = verdict.claims_exhaustive;
+  for (std::size_t i = 0; i < verdict.conditions.size(); ++i)
+    json[std::array{"embedded", "convex", "jacobian"}[i]] = {
+        {"realizable", verdict.conditions[i].realizable},
+        {"refuted", verdict.conditions[i].refuted},
+        {"open", verdict.conditions[i].open}};
+  return to_line(json);
+}
+
+std::string sentence(const std::string& file, const check::CatalogueVerdict& verdict) {
+  if (!verdict.accepted)
+    return fmt::format("{}: {}: {}\n", file, verdict.undecided ? "undecided" : "rejected",
+                       verdict.reason);
+  std::string text = fmt::format("{}: accepted: {} of {}", file,
+                                 counted(verdict.classes, "class", "classes"), verdict.name);
+  if (verdict.is_cell) text += fmt::format(", {} labelled", verdict.labelled);
+  for (const auto& [condition, counts] : named_counts(verdict)) {
+    if (counts.realizable + counts.refuted + counts.open == 0) continue;
+    text += fmt::format("; {}: {} by coordinates, {} refuted", condition, counts.realizable,
+                        counts.refuted);
+    if (counts.open != 0) text += fmt::format(", {} open", counts.open);
+  }
+  return text + "\n";
+}
+
+template <class Verdict>
+ExitCode exit_code(const Verdict& verdict) {
+  if (verdict.accepted) return ExitCode::yes;
+  return verdict.undecided ? ExitCode::undecided : ExitCode::no;
+}
+
+ExitCode check_one_catalogue(const CheckOptions& options, std::string_view bytes) {
+  if (!options.boundary.empty()) {
+    say("--boundary is for meshes; " + options.mesh + " is a catalogue");
+    return ExitCode::usage;
+  }
+  const check::CatalogueVerdict verdict = check::check_catalogue_bytes(bytes, options.mesh);
+  print(options.json ? json_line(verdict) : sentence(options.mesh, verdict));
+  if (!verdict.accepted || options.completeness.empty()) return exit_code(verdict);
+  const check::CompletenessVerdict complete = check::check_completeness_bytes(
+      std::string(bytes), options.mesh, check::bytes_of_file(options.completeness),
+      check::name_of_file(options.completeness));
+  if (!options.json)
+    print(complete.complete
+              ? fmt::format("{}: accepted: there are no other classes\n", options.completeness)
+              : fmt::format("{}: rejected: {}\n", options.completeness, complete.fault));
+  return complete.complete ? ExitCode::yes : ExitCode::no;
+}
+
 }  // namespace
 
 ExitCode check(const CheckOptions& options) {
   try {
-    const check::Mesh mesh = check::read_mesh(options.mesh);
+    // A catalogue is told by its first words, whatever its name; a mesh by its name.
+    const std::string bytes = check::bytes_of_file(options.mesh);
+    if (check::is_catalogue(bytes)) return check_one_catalogue(options, bytes);
+    if (!options.completeness.empty()) {
+      say("--completeness is for catalogues; " + options.mesh + " is none");
+      return ExitCode::usage;
+    }
+    const check::Mesh mesh = check::parse_mesh(check::name_of_file(options.mesh), bytes);
     std::optional<check::Surface> surface;
     if (!options.boundary.empty()) surface = check::read_surface(options.boundary);
     const check::Verdict verdict = check::check_mesh(mesh, surface ? &*surface : nullptr);
@@ -54,8 +133,7 @@ ExitCode check(const CheckOptions& options) {
       say(fmt::format(
           "note: the quads of {} disagree in orientation, which was left out of account",
           options.boundary));
-    if (verdict.accepted) return ExitCode::yes;
-    return verdict.undecided ? ExitCode::undecided : ExitCode::no;
+    return exit_code(verdict);
   } catch (const check::Malformed& error) {
     say_fault(error.what());
     return ExitCode::invalid_input;

@@ -1,17 +1,15 @@
 #include "cli/command_line.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "cli/command_line_parts.hpp"
 #include "cli/output.hpp"
 
 namespace hexatlas::cli {
@@ -88,10 +86,6 @@ ExitCode wrong_usage(const CLI::App& app, const std::vector<std::string>& words,
   return ExitCode::usage;
 }
 
-using Action = std::function<ExitCode()>;
-
-std::string example(const std::string& text) { return "Example:\n  " + text + "\n"; }
-
 /// The number that the whole word is. CLI11's own conversion would take "010" for eight.
 std::uint64_t seed_from(const std::string& word) {
   std::uint64_t seed = 0;
@@ -125,13 +119,19 @@ void add_mesh(CLI::App& app, Action& action) {
 void add_check(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "check",
-      "Judge a hexahedral mesh: strict rule, ball, boundary; shares no code with the mesher");
+      "Judge a hexahedral mesh or a catalogue of triangulations; shares no code with their makers");
   auto options = std::make_shared<CheckOptions>();
-  command->add_option("MESH", options->mesh, "Mesh: .vtu .vtk .mesh .msh")->required();
+  command->add_option("FILE", options->mesh, "Mesh (.vtu .vtk .mesh .msh) or catalogue (.hxc)")
+      ->required();
   command->add_option("--boundary", options->boundary,
                       "Quad surface that the mesh must have as its boundary");
+  command->add_option("--completeness", options->completeness,
+                      "Proof that the classes of the catalogue are all (.hxl)");
   command->add_flag("--json", options->json, "Print one JSON object");
-  command->footer(example("hexatlas check pyramid.vtu --boundary pyramid.obj"));
+  command->footer(
+      "Examples:\n"
+      "  hexatlas check pyramid.vtu --boundary pyramid.obj\n"
+      "  hexatlas check hexahedron.hxc --completeness hexahedron.hxl\n");
   command->callback([options, &action] { action = [options] { return check(*options); }; });
 }
 
@@ -206,10 +206,7 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
           "Seed of the search")
       ->type_name("UINT")
       ->default_str(std::to_string(options->seed));
-  build
-      ->add_option("-j,--threads", options->threads,
-                   "Threads [all processors]; the result does not depend on it")
-      ->check(CLI::Range(1, 1024));
+  add_threads(*build, options->threads);
   build->footer(example("hexatlas table build -o my.hxt --max-quads 12 -j 2"));
   build->callback([options, &action] {
     if (options->output.empty() || options->output == "-")
@@ -230,6 +227,8 @@ ExitCode run_command_line(int argc, char** argv) {
       "  hexatlas mesh hex pyramid.obj -o pyramid.vtu     mesh a quadrangulated ball\n"
       "  hexatlas check pyramid.vtu --boundary pyramid.obj\n"
       "  hexatlas table info\n"
+      "  hexatlas enum triangulations hexahedron          the 174 subdivisions of the cube\n"
+      "  hexatlas realize hexahedron -o hexahedron.hxc    coordinates and refutations\n"
       "Exit codes: 0 done or yes, 1 no, 2 usage, 3 invalid input, 4 undecided, 5 resources.\n");
   const std::vector<std::string> words(argv + 1, argv + argc);
   // Manifests should not depend on where the program happened to lie.
@@ -240,6 +239,9 @@ ExitCode run_command_line(int argc, char** argv) {
   add_check(app, action);
   add_code(app, action);
   add_table(app, action, command_line);
+  add_enum(app, action);
+  add_realize(app, action);
+  add_reproduce(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

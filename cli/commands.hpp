@@ -28,7 +28,7 @@ struct MeshHexOptions {
 [[nodiscard]] ExitCode mesh_hex(const MeshHexOptions& options);
 
 struct CheckOptions {
-  std::string mesh, boundary;
+  std::string mesh, boundary, completeness;
   bool json = false;
 };
 [[nodiscard]] ExitCode check(const CheckOptions& options);
@@ -66,6 +66,42 @@ struct TableCheckOptions {
   std::string table;
 };
 [[nodiscard]] ExitCode table_check(const TableCheckOptions& options);
+
+struct EnumTriangulationsOptions {
+  std::string cell, output, completeness;
+  int interior = 0;
+  bool boundary_tetrahedra = false;
+  bool json = false;
+  int threads = 0;  ///< 0: all processors
+  std::uint64_t max_nodes = ~std::uint64_t{0};
+};
+[[nodiscard]] ExitCode enum_triangulations(const EnumTriangulationsOptions& options);
+
+struct EnumVerticesOptions {
+  int vertices = 0;
+  std::string output;
+  bool json = false;
+  int threads = 0;
+};
+[[nodiscard]] ExitCode enum_spheres(const EnumVerticesOptions& options);
+[[nodiscard]] ExitCode enum_balls(const EnumVerticesOptions& options);
+[[nodiscard]] ExitCode enum_polyhedra(const EnumVerticesOptions& options);
+
+struct RealizeOptions {
+  std::string input;  ///< a catalogue, CELL, or CELL:NUMBER
+  std::string output;
+  bool convex = false, jacobian = false;
+  bool quick = false;  ///< the first coordinates found instead of small ones
+  bool json = false;
+  int threads = 0;
+};
+[[nodiscard]] ExitCode realize(const RealizeOptions& options);
+
+struct ReproduceOptions {
+  std::string name, folder;
+  int threads = 0;
+};
+[[nodiscard]] ExitCode reproduce(const ReproduceOptions& options);
 
 /// The table to read: the one asked for, or the one that comes with the program, beside the
 /// executable in tables/ or in ../share/hexatlas/tables/.

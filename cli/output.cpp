@@ -19,10 +19,6 @@ std::string to_line(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-std::string counted(std::size_t number, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", number, number == 1 ? one : many);
-}
-
 void say_text(std::string_view text) {
   // Where words cannot be written, there is nobody to tell: the exit code still answers.
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));

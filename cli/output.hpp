@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "enum/core/words.hpp"
+
 namespace hexatlas::cli {
 
 /// "0.1.0".
@@ -16,8 +18,7 @@ namespace hexatlas::cli {
 void print(std::string_view text);
 /// One line; bytes that are not UTF-8, which names of files may hold, become U+FFFD.
 [[nodiscard]] std::string to_line(const nlohmann::ordered_json& json);
-/// "1 hexahedron", "36 hexahedra".
-[[nodiscard]] std::string counted(std::size_t number, std::string_view one, std::string_view many);
+using core::counted;
 /// Words on standard error, as they stand; no error if they cannot be written.
 void say_text(std::string_view text);
 /// A word to the user: one line on standard error, after the name of the program.

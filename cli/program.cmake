@@ -1,11 +1,14 @@
 # The program. CLI11 is costly to compile, so one file includes it, without optimization.
 add_executable(hexatlas
-  cli/check.cpp cli/code.cpp cli/command_line.cpp cli/main.cpp cli/mesh_hex.cpp cli/output.cpp
+  cli/cell_input.cpp cli/check.cpp cli/code.cpp cli/command_line.cpp cli/command_line_enum.cpp
+  cli/completeness.cpp cli/enum_lists.cpp cli/enum_triangulations.cpp cli/interrupt.cpp cli/main.cpp
+  cli/mesh_hex.cpp cli/output.cpp cli/realize.cpp cli/reproduce.cpp
   cli/table_build.cpp cli/table_path.cpp cli/table_read.cpp)
 target_include_directories(hexatlas PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(hexatlas PRIVATE meshing_hexahedrize meshing_io meshing_quality
-  tables_build tables_check tables_format CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
-set_source_files_properties(cli/command_line.cpp PROPERTIES COMPILE_OPTIONS "-O1")
+  realize_solve tables_build tables_check tables_format tables_sheet CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
+set_source_files_properties(cli/command_line.cpp cli/command_line_enum.cpp PROPERTIES
+  COMPILE_OPTIONS "-O1")
 set_target_properties(hexatlas PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 
 # The commit goes into manifests; a build outside a checkout says so.

@@ -10,6 +10,20 @@ namespace hexatlas::io {
 
 using mesh::Index;
 
+namespace {
+
+bool is_a_quad(const CellType& type) {
+  return type.shape == CellShape::quad || type.shape == CellShape::pixel;
+}
+bool is_a_triangle(const CellType& type) {
+  return type.shape == CellShape::surface && type.vertices == 3;
+}
+bool is_a_facet(const CellType& type) {
+  return is_a_quad(type) || type.shape == CellShape::surface;
+}
+
+}  // namespace
+
 MeshBuilder::MeshBuilder(Wanted wanted, std::string file, int index_base)
     : wanted_(wanted), file_(std::move(file)), index_base_(index_base) {}
 
@@ -51,29 +65,47 @@ void MeshBuilder::check_distinct(const CellType& type, std::span<const Index> ve
       fail(line, std::string(type.name) + " with a repeated vertex");
 }
 
+void MeshBuilder::check_kind(const CellType& type, std::size_t line) const {
+  const std::string name(type.name);
+  if (wanted_ == Wanted::hexahedra) {
+    if (type.shape != CellShape::hexahedron && type.shape != CellShape::voxel)
+      fail(line, name + "; every cell must be a hexahedron");
+    return;
+  }
+  const bool quads_only = wanted_ == Wanted::surface;
+  if (!is_a_facet(type))
+    fail(line, name + "; this is a volume mesh, where a surface mesh of " +
+                   (quads_only ? "quads" : "triangles and quads") + " is expected");
+  if (quads_only && !is_a_quad(type)) fail(line, name + "; every facet must be a quad");
+  if (!is_a_quad(type) && !is_a_triangle(type))
+    fail(line, name + "; every facet must be a triangle or a quad");
+}
+
 void MeshBuilder::add_cell(const CellType& declared, std::span<const Index> vertices,
                            std::size_t line) {
   // A polygon is named by its number of corners; four make it a quad.
   const CellType type = declared.name == "polygon" ? polygon_type(vertices.size()) : declared;
   check_vertices(type, vertices, line);
-  const bool is_quad = type.shape == CellShape::quad || type.shape == CellShape::pixel;
-  const bool is_surface = is_quad || type.shape == CellShape::surface;
-  const bool is_hexahedron = type.shape == CellShape::hexahedron || type.shape == CellShape::voxel;
-  if (type.shape == CellShape::low || (is_surface && wanted_ == Wanted::hexahedra)) return;
-  if (wanted_ == Wanted::surface && !is_surface)
-    fail(line, std::string(type.name) +
-                   "; this is a volume mesh, where a surface mesh of quads is expected");
-  if (wanted_ == Wanted::surface && !is_quad)
-    fail(line, std::string(type.name) + "; every facet must be a quad");
-  if (wanted_ == Wanted::hexahedra && !is_hexahedron)
-    fail(line, std::string(type.name) + "; every cell must be a hexahedron");
+  const bool is_quad = is_a_quad(type);
+  if (type.shape == CellShape::low || (is_a_facet(type) && wanted_ == Wanted::hexahedra)) return;
+  check_kind(type, line);
   check_distinct(type, vertices, line);
 
   if (is_quad) {
     const bool cyclic = type.shape == CellShape::quad;
-    quads_.push_back(
-        {vertices[0], vertices[1], vertices[cyclic ? 2 : 3], vertices[cyclic ? 3 : 2]});
+    const std::array<Index, 4> quad{vertices[0], vertices[1], vertices[cyclic ? 2 : 3],
+                                    vertices[cyclic ? 3 : 2]};
+    if (wanted_ == Wanted::facets) {
+      facets_.push_back({quad, 4, static_cast<std::uint32_t>(line)});
+      return;
+    }
+    quads_.push_back(quad);
     quad_line_.push_back(static_cast<std::uint32_t>(line));
+    return;
+  }
+  if (is_a_triangle(type)) {
+    facets_.push_back(
+        {{vertices[0], vertices[1], vertices[2], 0}, 3, static_cast<std::uint32_t>(line)});
     return;
   }
   std::array<Index, 8>& hexahedron = hexahedra_.emplace_back();
@@ -92,6 +124,11 @@ void MeshBuilder::check_complete(bool has_cells, const char* cell) const {
 mesh::SurfaceMesh MeshBuilder::take_surface() {
   check_complete(!quads_.empty(), "quad");
   return {std::move(points_), std::move(quads_), std::move(quad_line_)};
+}
+
+mesh::FacetMesh MeshBuilder::take_facets() {
+  check_complete(!facets_.empty(), "facet");
+  return {std::move(points_), std::move(facets_)};
 }
 
 mesh::HexMesh MeshBuilder::take_hexahedra() {

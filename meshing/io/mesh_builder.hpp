@@ -18,7 +18,7 @@
 
 namespace hexatlas::io {
 
-enum class Wanted : std::uint8_t { surface, hexahedra };
+enum class Wanted : std::uint8_t { surface, facets, hexahedra };
 
 class MeshBuilder {
  public:
@@ -39,6 +39,7 @@ class MeshBuilder {
 
   /// The mesh. Fails if an index is above the last point, or if there is no cell.
   [[nodiscard]] mesh::SurfaceMesh take_surface();
+  [[nodiscard]] mesh::FacetMesh take_facets();
   [[nodiscard]] mesh::HexMesh take_hexahedra();
 
  private:
@@ -47,6 +48,7 @@ class MeshBuilder {
                       std::size_t line);
   void check_distinct(const CellType& type, std::span<const mesh::Index> vertices,
                       std::size_t line) const;
+  void check_kind(const CellType& type, std::size_t line) const;
   void check_complete(bool has_cells, const char* cell) const;
 
   Wanted wanted_;
@@ -55,6 +57,7 @@ class MeshBuilder {
   std::vector<mesh::Point> points_;
   std::vector<std::array<mesh::Index, 4>> quads_;
   std::vector<std::uint32_t> quad_line_;
+  std::vector<mesh::Facet> facets_;
   std::vector<std::array<mesh::Index, 8>> hexahedra_;
   std::uint64_t index_bound_ = 0;     ///< least number of points that the cells seen need
   std::size_t index_bound_line_ = 0;  ///< the line that needs them

@@ -108,6 +108,10 @@ mesh::SurfaceMesh parse_surface(std::string_view bytes, FileFormat format,
   return parse(bytes, format, file, Wanted::surface).take_surface();
 }
 
+mesh::FacetMesh parse_facets(std::string_view bytes, FileFormat format, const std::string& file) {
+  return parse(bytes, format, file, Wanted::facets).take_facets();
+}
+
 mesh::HexMesh parse_hexahedra(std::string_view bytes, FileFormat format, const std::string& file) {
   if (!holds_hexahedra(format)) throw core::InvalidInput(file, refusal(format));
   return parse(bytes, format, file, Wanted::hexahedra).take_hexahedra();
@@ -116,6 +120,11 @@ mesh::HexMesh parse_hexahedra(std::string_view bytes, FileFormat format, const s
 mesh::SurfaceMesh read_surface(const std::string& path, std::optional<FileFormat> format) {
   const NamedBytes input = load(path, format);
   return parse_surface(input.bytes, input.format, input.file);
+}
+
+mesh::FacetMesh read_facets(const std::string& path, std::optional<FileFormat> format) {
+  const NamedBytes input = load(path, format);
+  return parse_facets(input.bytes, input.format, input.file);
 }
 
 mesh::HexMesh read_hexahedra(const std::string& path, std::optional<FileFormat> format) {

@@ -10,8 +10,9 @@
 /// that reads back to the same bits, whatever the locale. The order of the corners of a
 /// hexahedron is converted (cell_types.hpp); orientation is not changed.
 ///
-/// A surface file consists of quads; points and edges among them are ignored. A hexahedral file
-/// consists of hexahedra; cells of lower dimension are ignored. Attributes are ignored.
+/// A surface file consists of quads, a file of facets of triangles and quads; points and edges
+/// among them are ignored. A hexahedral file consists of hexahedra; cells of lower dimension are
+/// ignored. Attributes are ignored.
 ///
 /// Errors: InvalidInput with the line for each defect: other cells, files that are cut or
 /// contradict themselves, indices outside the list of points, a vertex twice in a cell, numbers
@@ -43,6 +44,10 @@ namespace hexatlas::io {
 [[nodiscard]] mesh::SurfaceMesh parse_surface(std::string_view bytes, FileFormat format,
                                               const std::string& file);
 
+/// The triangles and quads in these bytes, in their order.
+[[nodiscard]] mesh::FacetMesh parse_facets(std::string_view bytes, FileFormat format,
+                                           const std::string& file);
+
 /// The hexahedra in these bytes. InvalidInput if the format cannot hold any.
 [[nodiscard]] mesh::HexMesh parse_hexahedra(std::string_view bytes, FileFormat format,
                                             const std::string& file);
@@ -51,6 +56,8 @@ namespace hexatlas::io {
 /// for standard input, that of the first bytes.
 [[nodiscard]] mesh::SurfaceMesh read_surface(const std::string& path,
                                              std::optional<FileFormat> format = {});
+[[nodiscard]] mesh::FacetMesh read_facets(const std::string& path,
+                                          std::optional<FileFormat> format = {});
 [[nodiscard]] mesh::HexMesh read_hexahedra(const std::string& path,
                                            std::optional<FileFormat> format = {});
 

@@ -23,6 +23,19 @@ struct SurfaceMesh {
   std::vector<std::uint32_t> quad_line;     ///< line of the file, 0: unknown; one per quad
 };
 
+/// A triangle or a quad, in cyclic order; of a triangle the last index is 0 and without meaning.
+struct Facet {
+  std::array<Index, 4> vertices{};
+  std::uint8_t size = 3;   ///< 3 or 4
+  std::uint32_t line = 0;  ///< of the file, 0: unknown
+};
+
+/// Triangles and quads as read from a file: as SurfaceMesh otherwise.
+struct FacetMesh {
+  std::vector<Point> points;
+  std::vector<Facet> facets;
+};
+
 /// Hexahedra in the numbering of enum/cells/cube.hpp: vertex x + 2y + 4z.
 struct HexMesh {
   std::vector<Point> points;

@@ -1,10 +1,9 @@
-#include <zstd.h>
-
 #include <algorithm>
 #include <array>
 
 #include "enum/core/checks.hpp"
 #include "tables/format/bytes.hpp"
+#include "tables/format/frame.hpp"
 #include "tables/format/layout.hpp"
 #include "tables/format/record.hpp"
 #include "tables/format/sha256.hpp"
@@ -14,17 +13,6 @@ namespace hexatlas::format {
 namespace {
 
 constexpr std::uint32_t kRecordsPerBlock = 64;
-constexpr int kCompressionLevel = 19;
-
-std::string compressed(const std::string& raw) {
-  std::string result(ZSTD_compressBound(raw.size()), '\0');
-  const std::size_t size =
-      ZSTD_compress(result.data(), result.size(), raw.data(), raw.size(), kCompressionLevel);
-  if (ZSTD_isError(size) != 0)
-    throw core::ResourceFailure(std::string("zstd: ") + ZSTD_getErrorName(size));
-  result.resize(size);
-  return result;
-}
 
 struct Parts {
   std::string sections, index, directory, blocks, names;

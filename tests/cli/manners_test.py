@@ -80,7 +80,7 @@ class Usage(program.ProgramTest):
         self.wrong("mesh", "hex", "a.obj", said=("--output",))
         self.wrong("mesh", "hex", "a.obj", "-o", said=("--output",))
         self.wrong("mesh", "hex", "a.obj", "b.obj", "-o", "b.vtk", said=("`b.obj`",))
-        self.wrong("check", said=("MESH",))
+        self.wrong("check", said=("FILE",))
         self.wrong("check", "a.vtk", "--boundary", said=("--boundary",))
         self.wrong("code", said=("SURFACE",))
         self.wrong("table", "get", said=("--name", "--code"))

@@ -8,3 +8,6 @@ hexatlas_test(enum_canon_nauty_test fast
 hexatlas_test(enum_canon_nauty_threads_test threads
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/nauty/threads_test.cpp
   USES enum_canon_nauty enum_parallel enum_flips)
+hexatlas_test(enum_canon_triangulation_form_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/nauty/triangulation_form_test.cpp
+  USES enum_balls enum_canon_nauty enum_flips)

@@ -1,6 +1,28 @@
 hexatlas_test(tables_check_file_bytes_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/file_bytes_test.cpp
   USES tables_check)
+hexatlas_test(tables_check_lrat_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/lrat_test.cpp
+  USES tables_check)
+hexatlas_test(tables_check_completeness_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/completeness_test.cpp
+  USES tables_check)
+hexatlas_test(tables_check_completeness_proof_test long
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/completeness_proof_test.cpp
+  USES tables_check realize_solve)
+hexatlas_test(tables_check_catalogue_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/catalogue_test.cpp
+  USES tables_check tables_format)
+target_compile_definitions(tables_check_catalogue_test PRIVATE
+  HEXATLAS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+hexatlas_test(tables_check_refutation_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/refutation_test.cpp
+  USES tables_check)
+hexatlas_test(sabotage_catalogue_test long
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/catalogue_sabotage_test.cpp
+  USES tables_check)
+target_compile_definitions(sabotage_catalogue_test PRIVATE
+  HEXATLAS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 hexatlas_test(tables_check_mesh_check_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/mesh_check_test.cpp
   USES tables_check)

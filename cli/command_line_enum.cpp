@@ -1,0 +1,130 @@
+#include <memory>
+
+#include "cli/command_line_parts.hpp"
+#include "enum/balls/polyhedra.hpp"
+#include "enum/balls/spheres.hpp"
+#include "enum/balls/triangulations.hpp"
+
+namespace hexatlas::cli {
+namespace {
+
+void add_triangulations(CLI::App& parent, Action& action) {
+  auto* command = parent.add_subcommand(
+      "triangulations", "All triangulations of a cell, up to the symmetry of the cell");
+  auto options = std::make_shared<EnumTriangulationsOptions>();
+  command
+      ->add_option("CELL", options->cell,
+                   "tetrahedron, pyramid, prism, octahedron, hexahedron, or a surface file of "
+                   "triangles and quads with at most 12 vertices")
+      ->required();
+  command->add_option("--interior", options->interior, "Number of interior vertices")
+      ->check(CLI::Range(0, balls::kMaxInterior))
+      ->capture_default_str();
+  command->add_flag("--boundary-tetrahedra", options->boundary_tetrahedra,
+                    "Allow tetrahedra with all four vertices on one facet");
+  auto* count = command->add_flag("--count")->description("Counts only; the default without -o");
+  command
+      ->add_option("-o,--output", options->output,
+                   "Catalogue of the classes to write (.hxc), or - for standard output")
+      ->excludes(count);
+  command
+      ->add_option("--completeness", options->completeness,
+                   "Proof to write (.hxl) that the hexahedron has no other classes")
+      ->excludes(count);
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command
+      ->add_option("--max-nodes", options->max_nodes,
+                   "Stop after about this many nodes; the counts then are lower bounds")
+      ->check(CLI::PositiveNumber);
+  add_threads(*command, options->threads);
+  command->footer("Exit code 4 if the search did not end.\n" +
+                  example("hexatlas enum triangulations hexahedron -o hexahedron.hxc"));
+  command->callback(
+      [options, &action] { action = [options] { return enum_triangulations(*options); }; });
+}
+
+struct VerticesVerb {
+  const char *name, *help, *footer;
+  int least, greatest;
+  bool has_output;
+  ExitCode (*run)(const EnumVerticesOptions&);
+};
+
+void add_vertices_verb(CLI::App& parent, Action& action, const VerticesVerb& verb) {
+  auto* command = parent.add_subcommand(verb.name, verb.help);
+  auto options = std::make_shared<EnumVerticesOptions>();
+  command->add_option("--vertices", options->vertices, "Number of vertices")
+      ->check(CLI::Range(verb.least, verb.greatest))
+      ->required();
+  if (verb.has_output)
+    command->add_option("-o,--output", options->output, "Catalogue to write (.hxc)");
+  command->add_flag("--json", options->json, "Print one JSON object");
+  add_threads(*command, options->threads);
+  command->footer(verb.footer);
+  command->callback(
+      [options, run = verb.run, &action] { action = [options, run] { return run(*options); }; });
+}
+
+}  // namespace
+
+void add_enum(CLI::App& app, Action& action) {
+  auto* parent = app.add_subcommand("enum", "Enumerate up to isomorphism");
+  parent->require_subcommand(1);
+  add_triangulations(*parent, action);
+  add_vertices_verb(*parent, action,
+                    {"spheres", "Triangulated 3-spheres, by bistellar flips",
+                     "Example:\n  hexatlas enum spheres --vertices 9\n", balls::kMinSphereVertices,
+                     balls::kMaxSphereVertices, false, enum_spheres});
+  add_vertices_verb(
+      *parent, action,
+      {"balls", "Triangulated 3-balls, from the spheres with one vertex more",
+       "Example:\n  hexatlas enum balls --vertices 7 -o balls.hxc\n", balls::kMinSphereVertices - 1,
+       balls::kMaxSphereVertices - 1, true, enum_balls});
+  add_vertices_verb(
+      *parent, action,
+      {"polyhedra", "Polyhedra with triangles and quads, and the triangulations of each",
+       "Example:\n  hexatlas enum polyhedra --vertices 8\n", 4, balls::kMaxPolyhedronVertices,
+       false, enum_polyhedra});
+}
+
+void add_realize(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "realize", "Coordinates for triangulations, or proofs that there are none");
+  auto options = std::make_shared<RealizeOptions>();
+  command
+      ->add_option("INPUT", options->input,
+                   "Catalogue (.hxc), the name of a cell, or one class of it as CELL:NUMBER")
+      ->required();
+  command->add_option("-o,--output", options->output,
+                      "Catalogue with certificates to write, or - for standard output");
+  auto* convex = command->add_flag("--convex", options->convex, "Points in convex position");
+  command
+      ->add_flag("--jacobian", options->jacobian,
+                 "The trilinear hexahedron has a positive Jacobian everywhere")
+      ->excludes(convex);
+  command->add_flag("--quick", options->quick,
+                    "Take the first coordinates found instead of small ones");
+  command->add_flag("--json", options->json, "Print one JSON object");
+  add_threads(*command, options->threads);
+  command->footer(
+      "Answers that the catalogue has already are kept. Exit code 4 if a class stays open, 1 if "
+      "the one class asked for is refuted.\n" +
+      example("hexatlas realize hexahedron -o hexahedron.hxc"));
+  command->callback([options, &action] { action = [options] { return realize(*options); }; });
+}
+
+void add_reproduce(CLI::App& app, Action& action) {
+  auto* command =
+      app.add_subcommand("reproduce", "Reproduce a published result from scratch and judge it");
+  auto options = std::make_shared<ReproduceOptions>();
+  command->add_option("NAME", options->name, "hexahedron-174")
+      ->required()
+      ->check(CLI::IsMember({"hexahedron-174"}));
+  command->add_option("-o,--output", options->folder,
+                      "Folder for the catalogue, the certificate and the contact sheet");
+  add_threads(*command, options->threads);
+  command->footer(example("hexatlas reproduce hexahedron-174 -o result"));
+  command->callback([options, &action] { action = [options] { return reproduce(*options); }; });
+}
+
+}  // namespace hexatlas::cli

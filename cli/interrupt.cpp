@@ -1,0 +1,23 @@
+#include "cli/interrupt.hpp"
+
+#include <csignal>
+
+namespace hexatlas::cli {
+namespace {
+
+std::atomic<bool> stop{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
+
+extern "C" void request_stop(int signal) {
+  stop.store(true);
+  std::signal(signal, SIG_DFL);
+}
+
+}  // namespace
+
+const std::atomic<bool>& stop_requested() {
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, request_stop);
+  return stop;
+}
+
+}  // namespace hexatlas::cli

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "cli/cell_input.hpp"
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "enum/core/errors.hpp"
+#include "enum/core/files.hpp"
+#include "enum/parallel/parallel_for.hpp"
+#include "tables/build/catalogues.hpp"
+#include "tables/build/realize.hpp"
+
+namespace hexatlas::cli {
+namespace {
+
+using certificate::Condition;
+
+bool is_cell_name(const std::string& name) { return complex::cell_named(name).has_value(); }
+
+/// CELL, CELL:NUMBER or a catalogue file.
+format::Catalogue catalogue_from_input(const std::string& input) {
+  const std::size_t colon = input.find(':');
+  const std::string name = input.substr(0, colon);
+  if (!is_cell_name(name)) return format::catalogue_from(core::read_file(input), input);
+  const complex::Cell cell = *complex::cell_named(name);
+  const balls::CensusOptions options;
+  format::Catalogue all =
+      build::catalogue_of(cell, name, options, balls::triangulations(cell, options));
+  if (colon == std::string::npos) return all;
+  std::size_t number = 0;
+  const char* const last = input.data() + input.size();
+  const auto [end, error] = std::from_chars(input.data() + colon + 1, last, number);
+  if (error != std::errc{} || end != last || number == 0 || number > all.classes.size())
+    throw core::InvalidInput(
+        input, fmt::format("classes of the {} are numbered 1 to {}", name, all.classes.size()));
+  return build::part_of(all, number);
+}
+
+Condition condition_of(const RealizeOptions& options) {
+  if (options.jacobian) return Condition::jacobian;
+  return options.convex ? Condition::convex : Condition::embedded;
+}
+
+}  // namespace
+
+ExitCode realize(const RealizeOptions& options) {
+  format::Catalogue catalogue = catalogue_from_input(options.input);
+  const Condition condition = condition_of(options);
+  if (condition == Condition::jacobian &&
+      (catalogue.name != "hexahedron" || catalogue.interior != 0))
+    throw core::InvalidInput(options.input,
+                             "--jacobian is for the hexahedron without interior vertex");
+  {
+    ProgressLine progress;
+    build::RealizeOptions build_options;
+    build_options.condition = condition;
+    build_options.threads = options.threads == 0 ? parallel::available_threads() : options.threads;
+    if (options.quick) build_options.effort.coordinates.shrink_starts = 0;
+    build_options.stop = &stop_requested();
+    build_options.progress = [&progress](std::size_t done, std::size_t all) {
+      progress.update("classes", done, all);
+    };
+    build::realize(catalogue, build_options);
+  }
+  if (!options.output.empty()) core::write_file(options.output, format::catalogue_bytes(catalogue));
+  const build::AnswerCounts counts = build::count_answers(catalogue, condition);
+  const std::size_t classes = catalogue.classes.size();
+  std::string text;
+  if (options.json) {
+    nlohmann::ordered_json json;
+    json["condition"] = certificate::name_of(condition);
+    json["classes"] = classes;
+    json["realizable"] = counts.realizable;
+    json["refuted"] = counts.refuted;
+    json["open"] = counts.open;
+    text = to_line(json);
+  } else {
+    text = fmt::format("{}: {} {}: {} realizable, {} refuted, {} open\n", options.input,
+                       counted(classes, "class", "classes"), certificate::name_of(condition),
+                       counts.realizable, counts.refuted, counts.open);
+  }
+  if (options.output == "-")
+    say_text(text);
+  else
+    print(text);
+  if (counts.open != 0) return ExitCode::undecided;
+  return classes == 1 && counts.refuted == 1 ? ExitCode::no : ExitCode::yes;
+}
+
+}  // namespace hexatlas::cli

@@ -1,0 +1,4 @@
+hexatlas_layer(realize/chirotope
+  HEADERS chirotope.hpp
+  SOURCES chirotope.cpp
+  USES enum/core realize/certificate)

@@ -1,0 +1,44 @@
+#include "tables/check/zstd_frame.hpp"
+
+#include <zstd.h>
+
+#include <memory>
+#include <new>
+#include <vector>
+
+namespace hexatlas::check {
+
+namespace {
+
+constexpr std::string_view kMagic = "\x28\xB5\x2F\xFD";
+
+struct FreeContext {
+  void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
+};
+
+}  // namespace
+
+bool begins_zstd_frame(std::string_view bytes) noexcept { return bytes.starts_with(kMagic); }
+
+bool unpack_frame(std::string_view stored, std::uint64_t most, std::string& bytes) {
+  if (!begins_zstd_frame(stored) ||
+      ZSTD_findFrameCompressedSize(stored.data(), stored.size()) != stored.size()) {
+    return false;
+  }
+  const std::unique_ptr<ZSTD_DCtx, FreeContext> context(ZSTD_createDCtx());
+  if (!context) throw std::bad_alloc();
+  std::vector<char> buffer(ZSTD_DStreamOutSize());
+  ZSTD_inBuffer in{stored.data(), stored.size(), 0};
+  std::uint64_t room = most;
+  for (std::size_t left = 1; left != 0;) {
+    ZSTD_outBuffer out{buffer.data(), buffer.size(), 0};
+    left = ZSTD_decompressStream(context.get(), &out, &in);
+    if (ZSTD_isError(left) != 0 || out.pos > room) return false;
+    room -= out.pos;
+    bytes.append(buffer.data(), out.pos);
+    if (left != 0 && out.pos == 0 && in.pos == in.size) return false;
+  }
+  return in.pos == in.size;
+}
+
+}  // namespace hexatlas::check

@@ -1,0 +1,20 @@
+#include "tables/format/frame.hpp"
+
+#include <zstd.h>
+
+#include "enum/core/errors.hpp"
+
+namespace hexatlas::format {
+
+std::string compressed(std::string_view bytes) {
+  constexpr int kLevel = 19;
+  std::string frame(ZSTD_compressBound(bytes.size()), '\0');
+  const std::size_t size =
+      ZSTD_compress(frame.data(), frame.size(), bytes.data(), bytes.size(), kLevel);
+  if (ZSTD_isError(size) != 0)
+    throw core::ResourceFailure(std::string("zstd: ") + ZSTD_getErrorName(size));
+  frame.resize(size);
+  return frame;
+}
+
+}  // namespace hexatlas::format

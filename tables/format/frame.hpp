@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// Bytes as one zstd frame.
+
+#include <string>
+#include <string_view>
+
+namespace hexatlas::format {
+
+/// At a high level: files are written once and read often. The bytes depend on the version of the
+/// library. Throws ResourceFailure.
+[[nodiscard]] std::string compressed(std::string_view bytes);
+
+}  // namespace hexatlas::format

@@ -1,0 +1,3 @@
+hexatlas_test(tables_sheet_contact_sheet_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/contact_sheet_test.cpp
+  USES tables_sheet)
