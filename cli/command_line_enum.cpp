@@ -22,6 +22,9 @@ void add_triangulations(CLI::App& parent, Action& action) {
       ->capture_default_str();
   command->add_flag("--boundary-tetrahedra", options->boundary_tetrahedra,
                     "Allow tetrahedra with all four vertices on one facet");
+  command->add_flag("--through-spheres", options->through_spheres,
+                    "The second road: from the list of 3-spheres, at most 9 vertices in all; not "
+                    "proven to be exhaustive");
   auto* count = command->add_flag("--count")->description("Counts only; the default without -o");
   command
       ->add_option("-o,--output", options->output,

@@ -71,6 +71,7 @@ struct EnumTriangulationsOptions {
   std::string cell, output, completeness;
   int interior = 0;
   bool boundary_tetrahedra = false;
+  bool through_spheres = false;
   bool json = false;
   int threads = 0;  ///< 0: all processors
   std::uint64_t max_nodes = ~std::uint64_t{0};

@@ -7,6 +7,8 @@
 #include "cli/completeness.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "enum/balls/spheres.hpp"
+#include "enum/balls/spheres_cells.hpp"
 #include "enum/balls/triangulations.hpp"
 #include "enum/core/checks.hpp"
 #include "enum/core/errors.hpp"
@@ -58,6 +60,28 @@ balls::Census census_of(const complex::Cell& cell, balls::CensusOptions options)
   return balls::triangulations(cell, options);
 }
 
+/// The second road, which shares no search with the first.
+balls::Census census_through_spheres(const complex::Cell& cell,
+                                     const balls::CensusOptions& options) {
+  const balls::CellClasses found = [&] {
+    ProgressLine progress;
+    const balls::Spheres list =
+        balls::spheres(cell.vertices + options.interior + 1,
+                       {options.threads, [&progress](int n, std::size_t all, std::size_t done) {
+                          progress.update(fmt::format("spheres with {} vertices", n), done, all);
+                        }});
+    return balls::triangulations_from(list, cell, {options.boundary_tetrahedra}, options.threads);
+  }();
+  balls::Census census;
+  census.symmetries = complex::symmetries(cell).size();
+  for (const balls::CellClass& entry : found.classes) {
+    census.by_tetrahedra[entry.triangulation.tetrahedra.size()] +=
+        {1, census.symmetries / entry.automorphisms};
+    census.classes.push_back({entry.triangulation, entry.automorphisms});
+  }
+  return census;
+}
+
 void write_completeness(const std::string& file, const format::Catalogue& catalogue) {
   ProgressLine progress;
   std::size_t steps = 0;
@@ -65,6 +89,18 @@ void write_completeness(const std::string& file, const format::Catalogue& catalo
       catalogue, [&](const std::string& step) { progress.update(step, ++steps, 0); });
   core::ensures(certificate.has_value(), "an exhaustive list is complete");
   core::write_file(file, format::compressed(*certificate));
+}
+
+void expect_few_enough(const EnumTriangulationsOptions& options, const NamedCell& input) {
+  const int vertices = input.cell.vertices + options.interior;
+  const int most =
+      options.through_spheres ? balls::kMaxSphereVertices - 1 : complex::kMaxTriangulationVertices;
+  if (vertices > most)
+    throw core::InvalidInput(
+        options.cell,
+        fmt::format("has {} vertices in all, interior ones included; at most "
+                    "{} are possible{}",
+                    vertices, most, options.through_spheres ? " through spheres" : ""));
 }
 
 void expect_known_completeness(const EnumTriangulationsOptions& options, const NamedCell& input) {
@@ -79,10 +115,7 @@ void expect_known_completeness(const EnumTriangulationsOptions& options, const N
 
 ExitCode enum_triangulations(const EnumTriangulationsOptions& options) {
   const NamedCell input = cell_from(options.cell);
-  if (input.cell.vertices + options.interior > complex::kMaxTriangulationVertices)
-    throw core::InvalidInput(
-        options.cell, fmt::format("with {} interior vertices has more than {} vertices in all",
-                                  options.interior, complex::kMaxTriangulationVertices));
+  expect_few_enough(options, input);
   expect_known_completeness(options, input);
   balls::CensusOptions census_options;
   census_options.interior = options.interior;
@@ -90,7 +123,9 @@ ExitCode enum_triangulations(const EnumTriangulationsOptions& options) {
   census_options.keep_classes = !options.output.empty() || !options.completeness.empty();
   census_options.threads = options.threads == 0 ? parallel::available_threads() : options.threads;
   census_options.max_nodes = options.max_nodes;
-  const balls::Census census = census_of(input.cell, census_options);
+  const balls::Census census = options.through_spheres
+                                   ? census_through_spheres(input.cell, census_options)
+                                   : census_of(input.cell, census_options);
   if (census_options.keep_classes) {
     const format::Catalogue catalogue =
         build::catalogue_of(input.cell, input.name, census_options, census);
@@ -106,7 +141,8 @@ ExitCode enum_triangulations(const EnumTriangulationsOptions& options) {
   else
     print(text);
   if (census.exhaustive) return ExitCode::yes;
-  say("the search did not end; the numbers are lower bounds");
+  say(options.through_spheres ? "that no 3-sphere is missing from the list is not proven"
+                              : "the search did not end; the numbers are lower bounds");
   return ExitCode::undecided;
 }
 

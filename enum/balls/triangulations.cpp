@@ -1,6 +1,7 @@
 #include "enum/balls/triangulations.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -181,15 +182,16 @@ class Run {
     Part shallow;
     shallow.is_complete = true;
     std::vector<Task> tasks;
-    for (std::size_t b = 0; b < boundaries_.size(); ++b)
-      for (Root& root : explore(b, {}, {.depth = kSplitDepth}, shallow))
+    for (std::size_t b = 0; b < boundaries_.size(); ++b) {
+      FrontSearch problem = problem_of(b);
+      for (Root& root : explore(problem, b, {}, {.depth = kSplitDepth}, shallow).unexplored)
         tasks.push_back({b, std::move(root)});
+    }
     std::vector<Part> parts(tasks.size());
     const std::uint64_t share =
         std::max<std::uint64_t>(1, options_.max_nodes / std::max<std::size_t>(1, tasks.size()));
     parallel::parallel_for(options_.threads, tasks.size(), [&](std::size_t i) {
-      parts[i].is_complete =
-          explore(tasks[i].boundary, tasks[i].root, {.nodes = share}, parts[i]).empty();
+      run(tasks[i], share, parts[i]);
       report(tasks.size());
     });
     parts.push_back(std::move(shallow));
@@ -199,21 +201,41 @@ class Run {
  private:
   /// Deep enough for some thousand tasks on the hexahedron, which balances two or many threads.
   static constexpr std::size_t kSplitDepth = 3;
+  /// Nodes between looks at the request to stop: a fraction of a second.
+  static constexpr std::uint64_t kSlice = 100'000;
 
   [[nodiscard]] bool is_stopped() const {
     return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
   }
 
-  std::vector<Root> explore(std::size_t b, const Root& root, search::Budget budget, Part& part) {
-    if (is_stopped()) return {root};
-    FrontSearch problem(boundaries_[b].surface.triangles, cell_.vertices, options_.interior,
-                        forbidden_, options_.prunings);
+  [[nodiscard]] FrontSearch problem_of(std::size_t b) const {
+    return FrontSearch(boundaries_[b].surface.triangles, cell_.vertices, options_.interior,
+                       forbidden_, options_.prunings);
+  }
+
+  search::Exploration<FrontSearch::Choice> explore(FrontSearch& problem, std::size_t b,
+                                                   const Root& root, search::Budget budget,
+                                                   Part& part) const {
     auto result = search::explore(problem, root, budget, [&](const FrontSearch& found) {
       collector_.collect(boundaries_[b], stabilizers_[b], found.tetrahedra(), part);
-      return !is_stopped();
+      return true;
     });
     part.nodes += result.counts.nodes;
-    return std::move(result.unexplored);
+    return result;
+  }
+
+  /// Explores a task in slices, until it is done, `nodes` are spent, or a stop is requested.
+  void run(const Task& task, std::uint64_t nodes, Part& part) const {
+    FrontSearch problem = problem_of(task.boundary);
+    std::vector<Root> pending{task.root};  // the next one last
+    while (!pending.empty() && nodes > 0 && !is_stopped()) {
+      const Root root = std::move(pending.back());
+      pending.pop_back();
+      auto result = explore(problem, task.boundary, root, {.nodes = std::min(nodes, kSlice)}, part);
+      nodes -= std::min(nodes, result.counts.nodes);
+      std::move(result.unexplored.rbegin(), result.unexplored.rend(), std::back_inserter(pending));
+    }
+    part.is_complete = pending.empty();
   }
 
   void report(std::size_t all) {

@@ -44,11 +44,6 @@ std::uint32_t oriented(CellFacet facet) {
   return digits;
 }
 
-/// The same for a cycle and its reverse.
-std::uint32_t unoriented(const CellFacet& facet) {
-  return std::min(oriented(facet), oriented({facet.rbegin(), facet.rend()}));
-}
-
 /// Tries to extend the map of the first facet onto `target`, whose vertices are the images in
 /// order, from facet to facet. The image of a facet in the other direction is a mirror image.
 class Extension {
@@ -219,18 +214,11 @@ bool is_cell_of_name(const std::string& name, const std::vector<CellFacet>& face
 
 std::vector<VertexPermutation> symmetries_of(const std::vector<CellFacet>& facets) {
   const Sides sides = sides_of(facets).value();
-  std::set<std::uint32_t> cycles;
-  for (const CellFacet& facet : facets) cycles.insert(unoriented(facet));
   Extension extension(facets, sides);
   std::set<VertexPermutation> found;
   const auto try_image = [&](const CellFacet& target, bool is_mirrored) {
     const auto map = extension.from(target, is_mirrored);
-    if (!map) return;
-    const bool maps_facets = std::all_of(facets.begin(), facets.end(), [&](CellFacet facet) {
-      for (std::uint8_t& v : facet) v = (*map)[v];
-      return cycles.contains(unoriented(facet));
-    });
-    if (maps_facets) found.insert(*map);
+    if (map) found.insert(*map);
   };
   for (CellFacet target : facets) {
     for (std::size_t turn = 0; turn < target.size(); ++turn) {

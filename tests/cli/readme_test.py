@@ -31,7 +31,8 @@ DEMO = [
 class Readme(program.ProgramTest):
     def setUp(self):
         super().setUp()
-        os.symlink(os.path.join(program.REPOSITORY, "experiments"), self.path("experiments"))
+        for folder in ("experiments", "tables"):
+            os.symlink(os.path.join(program.REPOSITORY, folder), self.path(folder))
         os.mkdir(self.path("build"))
 
     def output(self, command):

@@ -142,6 +142,31 @@ class TriangulationsTest(program.ProgramTest):
         self.assertIn("\nexhaustive no\n", self.read("part.hxc").decode())
         self.expect(0, self.hexatlas("check", "part.hxc"))
 
+    def test_the_second_road(self):
+        for cell, interior in (("hexahedron", 0), ("prism", 1), ("octahedron", 1), ("pyramid", 2)):
+            first = self.counts(cell, "--interior", str(interior))
+            second = self.counts(cell, "--interior", str(interior), "--through-spheres", code=4)
+            for key in ("classes", "labelled", "by_tetrahedra"):
+                self.assertEqual(second[key], first[key], cell)
+            self.assertFalse(second["exhaustive"])
+        self.expect_fault(self.hexatlas("enum", "triangulations", "hexahedron", "--interior", "2",
+                                        "--through-spheres"), "hexahedron")
+
+    def test_completeness_of_the_174(self):
+        self.expect(0, self.hexatlas("enum", "triangulations", "hexahedron", "-o", "h.hxc",
+                                     "--completeness", "h.hxl"))
+        self.expect(0, self.hexatlas("check", "h.hxc", "--completeness", "h.hxl"))
+        lines = self.read("h.hxc").decode().splitlines(keepends=True)
+        last = next(i for i, line in enumerate(lines) if line.startswith("class 174 "))
+        size = 48 // int(lines[last].split()[2])
+        del lines[last]
+        text = "".join(lines).replace("classes 174", "classes 173")
+        self.write("less.hxc", signed(text.replace("labelled 6966", f"labelled {6966 - size}")))
+        self.expect(0, self.hexatlas("check", "less.hxc"))
+        self.expect(1, self.hexatlas("check", "less.hxc", "--completeness", "h.hxl"))
+        self.expect_fault(self.hexatlas("enum", "triangulations", "prism", "--completeness", "x"),
+                          "prism")
+
     def test_bad_surfaces(self):
         cube_points, cube_quads = surfaces.cube()
         torus = surfaces.grid_closed_up(3, 3, False)
@@ -223,6 +248,23 @@ class RealizeTest(program.ProgramTest):
             else:
                 self.expect(0, ran)
         self.assertEqual(refuted, 3)
+
+    def test_the_jacobian_is_refuted_by_the_edge_lemma(self):
+        """Signs alone leave this class open; a final polynomial with terms of edges decides it."""
+        ran = self.expect(1, self.hexatlas("realize", "hexahedron:109", "--jacobian", "--json",
+                                           "-o", "one.hxc"))
+        self.assertEqual(json.loads(ran.out)["refuted"], 1)
+        text = self.read("one.hxc").decode()
+        found = [line for line in text.splitlines() if line.startswith("f ") and " e " in line]
+        self.assertEqual(len(found), 1)
+        self.expect(0, self.hexatlas("check", "one.hxc"))
+        # An inequality turned round, or a weight changed, does not cancel any more.
+        for damaged in (found[0][:-1] + ("2" if found[0][-1] == "1" else "1"), found[0] + " 1 0 0 6 1 1"):
+            self.write("bad.hxc", signed(text.replace(found[0], damaged)))
+            self.expect(1, self.hexatlas("check", "bad.hxc"))
+        # The same proof proves nothing where no Jacobian is asked for.
+        self.write("other.hxc", signed(text.replace("jacobian refuted", "embedded refuted")))
+        self.assertIn(self.hexatlas("check", "other.hxc").code, (1, 3))
 
     def test_answers_of_a_catalogue_are_kept(self):
         self.expect(0, self.hexatlas("realize", "pyramid", "-o", "a.hxc"))

@@ -329,8 +329,9 @@ class CatalogueOracle {
         for (const auto& facet : c.facets) key.push_back(digits(facet));
         const auto [place, is_new] = refuted_.try_emplace(key, false);
         if (is_new) {
-          place->second = is_refuted(
-              property.lines, all_premises(item.tetrahedra, n, cell_or_none, property.condition));
+          place->second =
+              is_refuted(property.lines, n,
+                         all_premises(item.tetrahedra, n, cell_or_none, property.condition));
         }
         if (!place->second) return false;
       } else if (property.answer != "open" || !property.points.empty()) {
@@ -340,22 +341,26 @@ class CatalogueOracle {
     return true;
   }
 
-  static bool is_refuted(const std::vector<std::string>& lines, const std::set<Clause>& premises) {
+  static bool is_refuted(const std::vector<std::string>& lines, int vertices,
+                         const std::set<Clause>& premises) {
+    const std::string kinds = "cfl";  // in this order
     std::vector<Clause> clauses;
-    bool lemmas = false;
+    std::size_t kind = 0;
     for (const std::string& line : lines) {
       const std::vector<std::string> words = words_of(line);
       if (line == "qed") return !clauses.empty() && clauses.back().empty();
+      const std::size_t own = kinds.find(words.at(0));
+      if (own == std::string::npos || own < kind || words[0].size() != 1) return false;
+      kind = own;
       Clause clause;
       std::size_t i = 1;
       for (; words.at(i) != "0"; ++i) clause.push_back(std::stoi(words[i]));
-      if (words[0] == "c") {
-        std::sort(clause.begin(), clause.end());
-        if (lemmas || i + 1 != words.size() || !premises.contains(clause)) return false;
-      } else {
-        lemmas = true;
-        if (words[0] != "l" || !follows_by_propagation(clauses, clause)) return false;
-      }
+      const std::vector<std::string> rest(words.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                                          words.end());
+      std::sort(clause.begin(), clause.end());
+      if (words[0] == "c" && (!rest.empty() || !premises.contains(clause))) return false;
+      if (words[0] == "f" && !is_final_polynomial(clause, rest, vertices)) return false;
+      if (words[0] == "l" && !follows_by_propagation(clauses, clause)) return false;
       clauses.push_back(clause);
     }
     return false;

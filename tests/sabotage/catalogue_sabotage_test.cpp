@@ -269,14 +269,15 @@ TEST(CatalogueSabotage, HostileTextsEnd) {
   for (int i = 2; i < 15; ++i) fan.append(" ").append(digits({0, 1, i, i + 1}));
   EXPECT_FALSE(is_accepted(sealed(sixteen + fan + "\n")));
   EXPECT_TRUE(is_accepted(sealed(sixteen + "class 1 4" + fan.substr(10) + "\n")));
+  const std::string refuted = sixteen + "class 1 4" + fan.substr(10) + "\nembedded refuted\n";
   for (const std::string line :
        {"c 2147483648 0", "c -2147483649 0", "c 99999999999999999999 0", "c 0", "l 1 0 0",
         "l 0 4294967295 0", "l 0 4294967296 0", "c 1821 0", "c 1 1 0", "f 1 0", "f 0 1",
         "f 1 0 1 0 1 2 3 4 5 1 2", "f 1 0 1 0 0 2 3 4 5 1 2", "f 1 0 1099511627776 0 1 2 3 4 5 1 2",
         "qed", "x", ""}) {
-    EXPECT_FALSE(is_accepted(
-        sealed(sixteen + "class 1 4" + fan.substr(10) + "\nembedded refuted\n" + line + "\nqed\n")))
-        << line;
+    std::string text = refuted;
+    text.append(line).append("\nqed\n");
+    EXPECT_FALSE(is_accepted(sealed(text))) << line;
   }
 }
 
@@ -365,6 +366,10 @@ TEST(CatalogueSabotage, NoDamagedRefutationIsAccepted) {
   }
   if (refutations.empty()) GTEST_SKIP() << "no refutation in " << folder;
   Sabotage sabotage;
+  for (const SingleRefutation& good : refutations) {
+    sabotage.expect_same(joined(good.lines, '\n'), "a refutation", false);
+  }
+  EXPECT_EQ(sabotage.refused(), 0);
   std::mt19937_64 random(17);
   for (int round = 0; round < 1000; ++round) {
     const SingleRefutation& good = refutations[random() % refutations.size()];

@@ -4,8 +4,9 @@
 /// search for refutations by cases; and propagation without hints.
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
-#include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -91,6 +92,30 @@ inline Clause sign_literals(const Complex& tetrahedra, const SlowCell* cell,
   return literal;
 }
 
+/// The brackets of the edge lemma of the format, as points in the order of their names x0, x1, y0,
+/// y1, R, and factors. `apex`: 0 or 1, the end of the edge that is opposite to u on a facet.
+struct SlowEdge {
+  std::array<Simplex, 5> points;
+  std::array<int, 5> factor{};
+
+  SlowEdge(int tail, int axis, int apex, int side) {
+    const int head = tail + (1 << axis);
+    const int i = 1 << (axis + side) % 3;
+    const int j = 1 << (axis + 3 - side) % 3;
+    const int u = (apex == 0 ? tail : head) ^ i ^ j;
+    points = {Simplex{tail, head, tail ^ i, u}, Simplex{tail, head, head ^ i, u},
+              Simplex{tail, head, tail ^ j, u}, Simplex{tail, head, head ^ j, u},
+              Simplex{tail, head, tail ^ i, head ^ i}};
+    const int of_i = (tail & i) != 0 ? -1 : 1;
+    const int of_j = (tail & j) != 0 ? -1 : 1;
+    factor = {of_i, of_i, of_j, of_j, side == 1 ? -1 : 1};
+  }
+  /// "The value has this sign."
+  [[nodiscard]] int literal(const SignVariables& variables, std::size_t value, int sign) const {
+    return variables.literal(points[value], sign * factor[value]);
+  }
+};
+
 /// All premise clauses, literals ascending. `condition`: "embedded", "convex" or "jacobian".
 inline std::set<Clause> all_premises(const Complex& tetrahedra, int vertices, const SlowCell* cell,
                                      const std::string& condition) {
@@ -154,8 +179,112 @@ inline std::set<Clause> all_premises(const Complex& tetrahedra, int vertices, co
       const int bits = v % 2 + v / 2 % 2 + v / 4;
       deny({-variables.literal({v, v ^ 1, v ^ 2, v ^ 4}, bits % 2 == 0 ? 1 : -1)});
     }
+    for (int number = 0; number < 8 * 3 * 2 * 2; ++number) {
+      const int tail = number / 12;
+      const int axis = number / 4 % 3;
+      if ((tail >> axis) % 2 != 0) continue;
+      const SlowEdge edge(tail, axis, number % 2, 1 + number / 2 % 2);
+      for (const int x : {1, -1}) {
+        for (const int turn : {1, -1}) {
+          deny({edge.literal(variables, 0, x), edge.literal(variables, 1, -x),
+                edge.literal(variables, 2, -x * turn), edge.literal(variables, 3, -x * turn),
+                edge.literal(variables, 4, turn)});
+        }
+      }
+    }
   }
   return premises;
+}
+
+/// Whether the terms of a line `f` add up to 0, each being an inequality wherever the clause is
+/// false. `words` from the first term on.
+inline bool is_final_polynomial(const Clause& clause, const std::vector<std::string>& words,
+                                int vertices) {
+  const SignVariables variables(vertices);
+  const auto is_known = [&](int literal) {
+    return std::find(clause.begin(), clause.end(), -literal) != clause.end();
+  };
+  for (const int literal : clause) {
+    if (is_known(literal)) return false;  // also denied
+  }
+  std::map<Simplex, std::int64_t> sums;
+  bool of_edges = false;
+  std::size_t at = 0;
+  const auto number = [&] { return std::stoi(words.at(at++)); };
+  while (at < words.size()) {
+    if (words[at] == "e") {
+      of_edges = true;
+      ++at;
+      continue;
+    }
+    const int weight = number();
+    if (weight < 1) return false;
+    if (of_edges) {
+      const int tail = number();
+      const int axis = number();
+      const int u = number();
+      const int side = number();
+      const int larger = number();
+      if (tail < 0 || tail > 7 || axis < 0 || axis > 2 || side < 1 || side > 2 || larger < 1 ||
+          larger > 2 || (tail >> axis) % 2 != 0) {
+        return false;
+      }
+      const int apex = u == (tail ^ 7 ^ (1 << axis)) ? 0 : 1;
+      const SlowEdge edge(tail, axis, apex, side);
+      if (edge.points[0][3] != u) return false;
+      bool holds = false;
+      for (const int x : {1, -1}) {
+        for (const int turn : {1, -1}) {
+          const int right = x * turn * (larger == 1 ? 1 : -1);
+          holds = holds || (is_known(edge.literal(variables, 0, x)) &&
+                            is_known(edge.literal(variables, 1, -x)) &&
+                            is_known(edge.literal(variables, 2, right)) &&
+                            is_known(edge.literal(variables, 3, -right)) &&
+                            is_known(edge.literal(variables, 4, turn)));
+        }
+      }
+      if (!holds) return false;
+      const int plus = larger == 1 ? weight : -weight;
+      sums[sorted(edge.points[2])] += plus;
+      sums[sorted(edge.points[1])] += plus;
+      sums[sorted(edge.points[3])] -= plus;
+      sums[sorted(edge.points[0])] -= plus;
+      continue;
+    }
+    Simplex p;
+    for (int i = 0; i < 6; ++i) p.push_back(number());
+    const auto larger = static_cast<std::size_t>(number());
+    const auto smaller = static_cast<std::size_t>(number());
+    if (larger < 1 || larger > 3 || smaller < 1 || smaller > 3 || larger == smaller ||
+        std::set<int>(p.begin(), p.end()).size() != 6 || p[0] > p[1] ||
+        !std::is_sorted(p.begin() + 2, p.end()) || sorted(p)[0] < 0 || sorted(p)[5] >= vertices) {
+      return false;
+    }
+    // The three products with their factors, so that their sum is 0.
+    const std::array<std::array<Simplex, 2>, 3> products = {
+        {{Simplex{p[0], p[1], p[2], p[3]}, Simplex{p[0], p[1], p[4], p[5]}},
+         {Simplex{p[0], p[1], p[4], p[2]}, Simplex{p[0], p[1], p[3], p[5]}},
+         {Simplex{p[0], p[1], p[2], p[5]}, Simplex{p[0], p[1], p[3], p[4]}}}};
+    std::array<int, 3> sign = {0, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (const int a : {1, -1}) {
+        for (const int b : {1, -1}) {
+          if (is_known(variables.literal(products[i][0], a)) &&
+              is_known(variables.literal(products[i][1], b))) {
+            sign[i] = a * b;
+          }
+        }
+      }
+    }
+    const int other = sign[larger - 1];
+    if (sign[0] * sign[1] * sign[2] == 0 || sign[0] + sign[1] + sign[2] != -other) return false;
+    for (std::size_t i = 0; i < 2; ++i) {
+      sums[sorted(products[larger - 1][i])] += weight;
+      sums[sorted(products[smaller - 1][i])] -= weight;
+    }
+  }
+  return !words.empty() && words.back() != "e" &&
+         std::all_of(sums.begin(), sums.end(), [](const auto& sum) { return sum.second == 0; });
 }
 
 /// Whether assuming the literals of the clause false leads to a conflict by unit propagation.

@@ -4,6 +4,8 @@
 /// trying random points, and refutations by cases.
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <functional>
 #include <random>
 #include <string>
@@ -55,10 +57,19 @@ inline std::vector<Complex> all_balls(int vertices, const SlowCell* cell) {
   if (cell != nullptr) {
     for (const auto& f : cell->facets) wanted += f.size() - 2;
   }
+  // Only what has the Euler characteristic 1, and in a cell the right number of boundary triangles.
   const auto may_be_ball = [&] {
-    const auto once =
-        std::count_if(uses.begin(), uses.end(), [](const auto& use) { return use.second == 1; });
-    return cell == nullptr ? once >= 4 : static_cast<std::size_t>(once) == wanted;
+    std::array<std::size_t, 3> triangles = {0, 0, 0};  // by number of tetrahedra
+    for (const auto& [triangle, count] : uses) ++triangles[static_cast<std::size_t>(count)];
+    std::uint64_t edges = 0;
+    for (const Simplex& t : chosen) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        for (std::size_t j = 0; j < i; ++j) edges |= std::uint64_t{1} << (8 * t[i] + t[j]);
+      }
+    }
+    return triangles[1] + triangles[2] + static_cast<std::size_t>(vertices) ==
+               static_cast<std::size_t>(std::popcount(edges)) + chosen.size() + 1 &&
+           (cell == nullptr || triangles[1] == wanted);
   };
   const std::function<void(std::size_t)> decide = [&](std::size_t i) {
     if (i == candidates.size()) {
