@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cli/cell_input.hpp"
 #include "cli/commands.hpp"
@@ -12,31 +13,38 @@
 #include "enum/parallel/parallel_for.hpp"
 #include "tables/build/catalogues.hpp"
 #include "tables/build/realize.hpp"
+#include "tables/format/frame.hpp"
 
 namespace hexatlas::cli {
 namespace {
 
 using certificate::Condition;
 
-bool is_cell_name(const std::string& name) { return complex::cell_named(name).has_value(); }
+struct Input {
+  format::Catalogue catalogue;
+  bool is_compressed = false;  ///< then the output is so, too
+};
 
 /// CELL, CELL:NUMBER or a catalogue file.
-format::Catalogue catalogue_from_input(const std::string& input) {
+Input input_from(const std::string& input) {
   const std::size_t colon = input.find(':');
   const std::string name = input.substr(0, colon);
-  if (!is_cell_name(name)) return format::catalogue_from(core::read_file(input), input);
-  const complex::Cell cell = *complex::cell_named(name);
+  const auto cell = complex::cell_named(name);
+  if (!cell) {
+    const std::string bytes = core::read_file(input);
+    return {format::catalogue_from(bytes, input), format::is_compressed(bytes)};
+  }
   const balls::CensusOptions options;
   format::Catalogue all =
-      build::catalogue_of(cell, name, options, balls::triangulations(cell, options));
-  if (colon == std::string::npos) return all;
+      build::catalogue_of(*cell, name, options, balls::triangulations(*cell, options));
+  if (colon == std::string::npos) return {std::move(all)};
   std::size_t number = 0;
   const char* const last = input.data() + input.size();
   const auto [end, error] = std::from_chars(input.data() + colon + 1, last, number);
   if (error != std::errc{} || end != last || number == 0 || number > all.classes.size())
     throw core::InvalidInput(
         input, fmt::format("classes of the {} are numbered 1 to {}", name, all.classes.size()));
-  return build::part_of(all, number);
+  return {build::part_of(all, number)};
 }
 
 Condition condition_of(const RealizeOptions& options) {
@@ -47,7 +55,7 @@ Condition condition_of(const RealizeOptions& options) {
 }  // namespace
 
 ExitCode realize(const RealizeOptions& options) {
-  format::Catalogue catalogue = catalogue_from_input(options.input);
+  auto [catalogue, is_compressed] = input_from(options.input);
   const Condition condition = condition_of(options);
   if (condition == Condition::jacobian &&
       (catalogue.name != "hexahedron" || catalogue.interior != 0))

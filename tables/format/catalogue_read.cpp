@@ -7,6 +7,7 @@
 
 #include "enum/core/errors.hpp"
 #include "tables/format/catalogue.hpp"
+#include "tables/format/frame.hpp"
 #include "tables/format/sha256.hpp"
 
 namespace hexatlas::format {
@@ -19,8 +20,7 @@ using complex::VertexSet;
 constexpr std::size_t kMaxText = std::size_t{1} << 30U;
 
 std::string decompressed(std::string_view bytes, const std::string& file) {
-  constexpr std::string_view kMagic("\x28\xb5\x2f\xfd", 4);
-  if (bytes.substr(0, 4) != kMagic) return std::string(bytes);
+  if (!is_compressed(bytes)) return std::string(bytes);
   const unsigned long long size = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > kMaxText)
     throw core::InvalidInput(file, "no zstd frame of a known size up to 1 GiB");

@@ -17,4 +17,9 @@ std::string compressed(std::string_view bytes) {
   return frame;
 }
 
+bool is_compressed(std::string_view bytes) noexcept {
+  constexpr std::string_view kMagic("\x28\xb5\x2f\xfd", 4);
+  return bytes.substr(0, 4) == kMagic;
+}
+
 }  // namespace hexatlas::format

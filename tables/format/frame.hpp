@@ -11,4 +11,7 @@ namespace hexatlas::format {
 /// library. Throws ResourceFailure.
 [[nodiscard]] std::string compressed(std::string_view bytes);
 
+/// Whether these are the first bytes of a frame.
+[[nodiscard]] bool is_compressed(std::string_view bytes) noexcept;
+
 }  // namespace hexatlas::format
