@@ -43,8 +43,8 @@ std::string sentence(const CheckOptions& options, const check::Verdict& verdict)
 }
 
 struct NamedCounts {
-  const char* condition;
-  check::ConditionCounts counts;
+  const char* condition = "";
+  check::ConditionCounts counts{};
 };
 std::array<NamedCounts, 3> named_counts(const check::CatalogueVerdict& verdict) {
   return {{{"realizable", verdict.conditions[0]},

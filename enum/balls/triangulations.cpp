@@ -26,6 +26,7 @@ using Tetrahedra = std::vector<VertexSet>;
 
 std::vector<VertexSet> triangle_sets(const CutSurface& surface) {
   std::vector<VertexSet> sets;
+  sets.reserve(surface.triangles.size());
   for (const auto& t : surface.triangles)
     sets.push_back(static_cast<VertexSet>(complex::bit_of(t[0]) | complex::bit_of(t[1]) |
                                           complex::bit_of(t[2])));
@@ -49,8 +50,8 @@ std::vector<Boundary> boundaries_up_to_symmetry(const Cell& cell,
     if (seen.contains(sets)) continue;
     Boundary boundary{surface, 0, {}};
     for (const VertexMap& map : group) {
-      std::vector<VertexSet> image;
-      for (const VertexSet set : sets) image.push_back(complex::image_of(set, map));
+      std::vector<VertexSet> image = sets;
+      for (VertexSet& set : image) set = complex::image_of(set, map);
       std::sort(image.begin(), image.end());
       if (image == sets) boundary.stabilizer.push_back(map);
       boundary.orbit_size += seen.insert(image).second ? 1 : 0;

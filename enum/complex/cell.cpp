@@ -151,7 +151,8 @@ std::optional<BrokenLaw> broken_sphere_law(const std::vector<CellFacet>& facets,
   const LeftFacets left(facets);
   std::size_t sides = 0;
   for (const CellFacet& facet : facets) sides += facet.size;
-  for (std::uint8_t v = 0; v < vertices; ++v) {
+  for (int vertex = 0; vertex < vertices; ++vertex) {
+    const auto v = static_cast<std::uint8_t>(vertex);
     std::size_t degree = 0;
     for (const CellFacet& facet : facets) degree += (facet.vertices() & bit_of(v)) != 0 ? 1 : 0;
     const auto start = std::find_if(facets.begin(), facets.end(), [&](const CellFacet& facet) {
@@ -212,8 +213,8 @@ std::optional<VertexMap> symmetry(const Cell& cell, const LeftFacets& left, std:
       pending.push_back(static_cast<std::size_t>(next));
     }
   }
-  for (std::uint8_t v = 0; v < map.size(); ++v)
-    if (map[v] == kUnset) map[v] = v;
+  for (std::size_t v = 0; v < map.size(); ++v)
+    if (map[v] == kUnset) map[v] = static_cast<std::uint8_t>(v);
   return map;
 }
 
