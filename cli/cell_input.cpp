@@ -54,7 +54,10 @@ NamedCell cell_from(const std::string& name_or_file) {
     throw core::InvalidInput(
         name_or_file, "is no cell; known are" + names + ", or a surface file such as cell.obj");
   }
-  return {name_from(name_or_file), cell_in(io::read_facets(name_or_file), name_or_file)};
+  NamedCell input{name_from(name_or_file), cell_in(io::read_facets(name_or_file), name_or_file)};
+  // A known name promises the known facets, in their numbering.
+  if (complex::cell_named(input.name)) input.name = "surface-" + input.name;
+  return input;
 }
 
 }  // namespace hexatlas::cli

@@ -52,16 +52,25 @@ std::array<NamedCounts, 3> named_counts(const check::CatalogueVerdict& verdict) 
            {"with positive Jacobian", verdict.conditions[2]}}};
 }
 
-std::string json_line(const check::CatalogueVerdict& verdict) {
+using Completeness = std::optional<check::CompletenessVerdict>;
+
+bool is_accepted(const check::CatalogueVerdict& verdict, const Completeness& completeness) {
+  return verdict.accepted && (!completeness || completeness->complete);
+}
+
+std::string json_line(const check::CatalogueVerdict& verdict, const Completeness& completeness) {
   nlohmann::ordered_json json;
-  json["accepted"] = verdict.accepted;
-  json["reason"] = verdict.reason;
+  json["accepted"] = is_accepted(verdict, completeness);
+  json["undecided"] = verdict.undecided;
+  json["reason"] = completeness && verdict.accepted ? completeness->fault : verdict.reason;
   json["name"] = verdict.name;
+  json["kind"] = verdict.is_cell ? "cell" : "balls";
   json["vertices"] = verdict.vertices;
   json["interior"] = verdict.interior;
   json["classes"] = verdict.classes;
   json["labelled"] = verdict.labelled;
   json["claims_exhaustive"] = verdict.claims_exhaustive;
+  if (completeness) json["proven_complete"] = completeness->complete;
   for (std::size_t i = 0; i < verdict.conditions.size(); ++i)
     json[std::array{"embedded", "convex", "jacobian"}[i]] = {
         {"realizable", verdict.conditions[i].realizable},
@@ -74,9 +83,17 @@ std::string sentence(const std::string& file, const check::CatalogueVerdict& ver
   if (!verdict.accepted)
     return fmt::format("{}: {}: {}\n", file, verdict.undecided ? "undecided" : "rejected",
                        verdict.reason);
-  std::string text = fmt::format("{}: accepted: {} of {}", file,
-                                 counted(verdict.classes, "class", "classes"), verdict.name);
-  if (verdict.is_cell) text += fmt::format(", {} labelled", verdict.labelled);
+  std::string text = fmt::format("{}: accepted: ", file);
+  if (verdict.is_cell) {
+    text += fmt::format("{} of {}", counted(verdict.classes, "class", "classes"), verdict.name);
+    if (verdict.interior != 0)
+      text += " with " + counted(static_cast<std::size_t>(verdict.interior), "interior vertex",
+                                 "interior vertices");
+    text += fmt::format(", {} labelled", verdict.labelled);
+  } else {
+    text += fmt::format("{} with {} vertices", counted(verdict.classes, "ball", "balls"),
+                        verdict.vertices);
+  }
   for (const auto& [condition, counts] : named_counts(verdict)) {
     if (counts.realizable + counts.refuted + counts.open == 0) continue;
     text += fmt::format("; {}: {} by coordinates, {} refuted", condition, counts.realizable,
@@ -98,16 +115,17 @@ ExitCode check_one_catalogue(const CheckOptions& options, std::string_view bytes
     return ExitCode::usage;
   }
   const check::CatalogueVerdict verdict = check::check_catalogue_bytes(bytes, options.mesh);
-  print(options.json ? json_line(verdict) : sentence(options.mesh, verdict));
-  if (!verdict.accepted || options.completeness.empty()) return exit_code(verdict);
-  const check::CompletenessVerdict complete = check::check_completeness_bytes(
-      std::string(bytes), options.mesh, check::bytes_of_file(options.completeness),
-      check::name_of_file(options.completeness));
-  if (!options.json)
-    print(complete.complete
+  Completeness completeness;
+  if (verdict.accepted && !options.completeness.empty())
+    completeness = check::check_completeness_bytes(std::string(bytes), options.mesh,
+                                                   check::bytes_of_file(options.completeness),
+                                                   check::name_of_file(options.completeness));
+  print(options.json ? json_line(verdict, completeness) : sentence(options.mesh, verdict));
+  if (completeness && !options.json)
+    print(completeness->complete
               ? fmt::format("{}: accepted: there are no other classes\n", options.completeness)
-              : fmt::format("{}: rejected: {}\n", options.completeness, complete.fault));
-  return complete.complete ? ExitCode::yes : ExitCode::no;
+              : fmt::format("{}: rejected: {}\n", options.completeness, completeness->fault));
+  return completeness && !completeness->complete ? ExitCode::no : exit_code(verdict);
 }
 
 }  // namespace

@@ -22,9 +22,10 @@ void add_triangulations(CLI::App& parent, Action& action) {
       ->capture_default_str();
   command->add_flag("--boundary-tetrahedra", options->boundary_tetrahedra,
                     "Allow tetrahedra with all four vertices on one facet");
-  command->add_flag("--through-spheres", options->through_spheres,
-                    "The second road: from the list of 3-spheres, at most 9 vertices in all; not "
-                    "proven to be exhaustive");
+  auto* spheres = command->add_flag(
+      "--through-spheres", options->through_spheres,
+      "The second road: from the list of 3-spheres, at most 9 vertices in all; not "
+      "proven to be exhaustive");
   auto* count = command->add_flag("--count")->description("Counts only; the default without -o");
   command
       ->add_option("-o,--output", options->output,
@@ -38,7 +39,8 @@ void add_triangulations(CLI::App& parent, Action& action) {
   command
       ->add_option("--max-nodes", options->max_nodes,
                    "Stop after about this many nodes; the counts then are lower bounds")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::PositiveNumber)
+      ->excludes(spheres);
   add_threads(*command, options->threads);
   command->footer("Exit code 4 if the search did not end.\n" +
                   example("hexatlas enum triangulations hexahedron -o hexahedron.hxc"));

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "enum/balls/polyhedra.hpp"
 #include "enum/balls/spheres.hpp"
@@ -89,11 +90,13 @@ ExitCode enum_polyhedra(const EnumVerticesOptions& options) {
                                  "symmetries", "classes", "labelled", "facets");
   std::size_t number = 0;
   balls::ClassCounts sum;
+  bool all_exhaustive = true;
   for (const complex::Cell& cell : balls::polyhedra(options.vertices)) {
-    const balls::Census census =
-        balls::triangulations(cell, {.keep_classes = false, .threads = threads_of(options)});
+    const balls::Census census = balls::triangulations(
+        cell, {.keep_classes = false, .threads = threads_of(options), .stop = &stop_requested()});
     const balls::ClassCounts total = census.total();
     sum += total;
+    all_exhaustive = all_exhaustive && census.exhaustive;
     std::string facets;
     std::size_t quads = 0;
     for (const complex::CellFacet& facet : cell.facets) {
@@ -111,11 +114,14 @@ ExitCode enum_polyhedra(const EnumVerticesOptions& options) {
                                  {"exhaustive", census.exhaustive}});
   }
   json["classes"] = sum.classes;
+  json["exhaustive"] = all_exhaustive;
   print(options.json ? to_line(json)
-                     : text + fmt::format("{} polyhedra with {} vertices, {} classes of "
-                                          "triangulations; the searches are exhaustive\n",
-                                          number, options.vertices, sum.classes));
-  return ExitCode::yes;
+                     : text + fmt::format("{} polyhedra with {} vertices, {}{} classes of "
+                                          "triangulations{}\n",
+                                          number, options.vertices,
+                                          all_exhaustive ? "" : "at least ", sum.classes,
+                                          all_exhaustive ? "; the searches are exhaustive" : ""));
+  return all_exhaustive ? ExitCode::yes : ExitCode::undecided;
 }
 
 }  // namespace hexatlas::cli

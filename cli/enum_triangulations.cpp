@@ -105,10 +105,11 @@ void expect_few_enough(const EnumTriangulationsOptions& options, const NamedCell
 
 void expect_known_completeness(const EnumTriangulationsOptions& options, const NamedCell& input) {
   if (options.completeness.empty()) return;
-  if (input.name != "hexahedron" || options.interior != 0 || options.boundary_tetrahedra)
+  if (input.name != "hexahedron" || options.interior != 0 || options.boundary_tetrahedra ||
+      options.through_spheres)
     throw core::InvalidInput(options.cell,
                              "--completeness is for the hexahedron without interior vertex and "
-                             "without boundary tetrahedra");
+                             "without boundary tetrahedra, by the direct search");
 }
 
 }  // namespace
@@ -141,8 +142,13 @@ ExitCode enum_triangulations(const EnumTriangulationsOptions& options) {
   else
     print(text);
   if (census.exhaustive) return ExitCode::yes;
-  say(options.through_spheres ? "that no 3-sphere is missing from the list is not proven"
-                              : "the search did not end; the numbers are lower bounds");
+  if (options.through_spheres)
+    say("that no 3-sphere is missing from the list is not proven");
+  else if (census.undecided != 0)
+    say(fmt::format("{} are not known to be balls or not; the numbers are lower bounds",
+                    counted(census.undecided, "class", "classes")));
+  else
+    say("the search did not end; the numbers are lower bounds");
   return ExitCode::undecided;
 }
 

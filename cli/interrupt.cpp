@@ -10,7 +10,10 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set 
 
 extern "C" void request_stop(int signal) {
   stop.store(true);
-  std::signal(signal, SIG_DFL);
+  // The next one of either kind ends the program at once.
+  static_cast<void>(signal);
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
 }
 
 }  // namespace

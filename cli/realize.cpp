@@ -13,6 +13,8 @@
 #include "enum/parallel/parallel_for.hpp"
 #include "tables/build/catalogues.hpp"
 #include "tables/build/realize.hpp"
+#include "tables/check/catalogue.hpp"
+#include "tables/check/malformed.hpp"
 #include "tables/format/frame.hpp"
 
 namespace hexatlas::cli {
@@ -25,6 +27,16 @@ struct Input {
   bool is_compressed = false;  ///< then the output is so, too
 };
 
+/// What a catalogue says is kept and counted, so it is judged first.
+void expect_true(const std::string& bytes, const std::string& file) {
+  try {
+    const check::CatalogueVerdict verdict = check::check_catalogue_bytes(bytes, file);
+    if (!verdict.accepted && !verdict.undecided) throw core::InvalidInput(file, verdict.reason);
+  } catch (const check::Malformed& error) {
+    throw core::InvalidInput::as_told(error.what());
+  }
+}
+
 /// CELL, CELL:NUMBER or a catalogue file.
 Input input_from(const std::string& input) {
   const std::size_t colon = input.find(':');
@@ -32,6 +44,7 @@ Input input_from(const std::string& input) {
   const auto cell = complex::cell_named(name);
   if (!cell) {
     const std::string bytes = core::read_file(input);
+    expect_true(bytes, input);
     return {format::catalogue_from(bytes, input), format::is_compressed(bytes)};
   }
   const balls::CensusOptions options;
@@ -57,8 +70,7 @@ Condition condition_of(const RealizeOptions& options) {
 ExitCode realize(const RealizeOptions& options) {
   auto [catalogue, is_compressed] = input_from(options.input);
   const Condition condition = condition_of(options);
-  if (condition == Condition::jacobian &&
-      (catalogue.name != "hexahedron" || catalogue.interior != 0))
+  if (condition == Condition::jacobian && !build::is_hexahedron(catalogue))
     throw core::InvalidInput(options.input,
                              "--jacobian is for the hexahedron without interior vertex");
   {
@@ -73,7 +85,10 @@ ExitCode realize(const RealizeOptions& options) {
     };
     build::realize(catalogue, build_options);
   }
-  if (!options.output.empty()) core::write_file(options.output, format::catalogue_bytes(catalogue));
+  if (!options.output.empty()) {
+    const std::string bytes = format::catalogue_bytes(catalogue);
+    core::write_file(options.output, is_compressed ? format::compressed(bytes) : bytes);
+  }
   const build::AnswerCounts counts = build::count_answers(catalogue, condition);
   const std::size_t classes = catalogue.classes.size();
   std::string text;

@@ -18,9 +18,9 @@
 /// are 174 subdivisions of the hexahedron into tetrahedra" (2018); the data structure is ours.
 ///
 /// Claim. The complete states are exactly the sets of tetrahedra that satisfy conditions 2, 3 and 4
-/// of docs/theory/triangulation-definition.txt, are orientable, and in which the link of each
-/// vertex is a sphere or a disc; each set is met once, with its interior vertices numbered by first
-/// appearance. Condition 5 is for the caller: complex::topology_of.
+/// of docs/theory/triangulation-definition.txt, are connected and orientable, and in which the link
+/// of each vertex is a sphere or a disc; each set is met once, with its interior vertices numbered
+/// by first appearance. Condition 5 is for the caller: complex::topology_of.
 
 #include <array>
 #include <bit>

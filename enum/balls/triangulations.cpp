@@ -183,16 +183,14 @@ class Run {
     Part shallow;
     shallow.is_complete = true;
     std::vector<Task> tasks;
-    for (std::size_t b = 0; b < boundaries_.size(); ++b) {
-      FrontSearch problem = problem_of(b);
-      for (Root& root : explore(problem, b, {}, {.depth = kSplitDepth}, shallow).unexplored)
-        tasks.push_back({b, std::move(root)});
-    }
+    std::uint64_t left = options_.max_nodes;
+    for (std::size_t b = 0; b < boundaries_.size(); ++b)
+      for (Root& root : split(b, left, shallow)) tasks.push_back({b, std::move(root)});
     std::vector<Part> parts(tasks.size());
-    const std::uint64_t share =
-        std::max<std::uint64_t>(1, options_.max_nodes / std::max<std::size_t>(1, tasks.size()));
+    const std::uint64_t each = left / std::max<std::size_t>(1, tasks.size());
+    const std::uint64_t more = left % std::max<std::size_t>(1, tasks.size());
     parallel::parallel_for(options_.threads, tasks.size(), [&](std::size_t i) {
-      run(tasks[i], share, parts[i]);
+      run(tasks[i], each + (i < more ? 1 : 0), parts[i]);
       report(tasks.size());
     });
     parts.push_back(std::move(shallow));
@@ -219,14 +217,24 @@ class Run {
                                                    Part& part) const {
     auto result = search::explore(problem, root, budget, [&](const FrontSearch& found) {
       collector_.collect(boundaries_[b], stabilizers_[b], found.tetrahedra(), part);
-      return true;
+      return !is_stopped();
     });
     part.nodes += result.counts.nodes;
     return result;
   }
 
+  /// The top of the search for one boundary; what is left. Takes its nodes from `left`.
+  std::vector<Root> split(std::size_t b, std::uint64_t& left, Part& part) const {
+    if (left == 0 || is_stopped()) return {Root{}};
+    FrontSearch problem = problem_of(b);
+    auto result = explore(problem, b, {}, {.nodes = left, .depth = kSplitDepth}, part);
+    left -= std::min(left, result.counts.nodes);
+    return std::move(result.unexplored);
+  }
+
   /// Explores a task in slices, until it is done, `nodes` are spent, or a stop is requested.
   void run(const Task& task, std::uint64_t nodes, Part& part) const {
+    if (nodes == 0 || is_stopped()) return;
     FrontSearch problem = problem_of(task.boundary);
     std::vector<Root> pending{task.root};  // the next one last
     while (!pending.empty() && nodes > 0 && !is_stopped()) {

@@ -31,8 +31,8 @@ struct CensusOptions {
   bool boundary_tetrahedra = false;  ///< drop condition 3
   bool keep_classes = true;          ///< false: counts only, in constant memory
   int threads = 1;                   ///< the result does not depend on it
-  /// Nodes, at most about this many in all; the result then may be a lower bound, which depends on
-  /// nothing else.
+  /// Nodes, at most this many in all; the result then may be a lower bound, the same for any
+  /// number of threads.
   std::uint64_t max_nodes = std::numeric_limits<std::uint64_t>::max();
   Prunings prunings{};
   /// Set to true by another thread or a signal handler to stop early; may be null.

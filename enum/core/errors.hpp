@@ -16,6 +16,11 @@ struct InvalidInput : std::runtime_error {
                                      : file + ":" + std::to_string(line) + ": " + reason) {}
   InvalidInput(const std::string& file, const std::string& reason)
       : InvalidInput(file, 0, reason) {}
+  /// A line that has this form already.
+  [[nodiscard]] static InvalidInput as_told(const std::string& line) { return InvalidInput(line); }
+
+ private:
+  explicit InvalidInput(const std::string& line) : std::runtime_error(line) {}
 };
 
 /// The machine is at its limit: disk full, write error, no memory. Exit code 5.

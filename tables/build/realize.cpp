@@ -61,8 +61,7 @@ std::vector<int> signs_of(const format::Catalogue& catalogue,
 }
 
 void realize(format::Catalogue& catalogue, const RealizeOptions& options) {
-  core::expects(options.condition != certificate::Condition::jacobian ||
-                    (catalogue.name == "hexahedron" && catalogue.vertices == 8),
+  core::expects(options.condition != certificate::Condition::jacobian || is_hexahedron(catalogue),
                 "realize: the Jacobian is that of the hexahedron");
   std::mutex mutex;
   std::size_t done = 0;
@@ -80,6 +79,11 @@ void realize(format::Catalogue& catalogue, const RealizeOptions& options) {
     const std::lock_guard lock(mutex);
     options.progress(++done, catalogue.classes.size());
   });
+}
+
+bool is_hexahedron(const format::Catalogue& catalogue) {
+  return catalogue.cell && catalogue.interior == 0 &&
+         catalogue.cell->facets == complex::cell_named("hexahedron")->facets;
 }
 
 AnswerCounts count_answers(const format::Catalogue& catalogue, certificate::Condition condition) {

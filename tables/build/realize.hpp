@@ -25,9 +25,11 @@ struct RealizeOptions {
 };
 
 /// Answers the condition for each class that has no answer or an open one. Requires a catalogue
-/// whose classes are triangulations; for Condition::jacobian the hexahedron without interior
-/// vertex.
+/// whose classes are triangulations; for Condition::jacobian is_hexahedron(catalogue).
 void realize(format::Catalogue& catalogue, const RealizeOptions& options);
+
+/// Whether it is of the hexahedron, in the numbering of the cube, without interior vertex.
+[[nodiscard]] bool is_hexahedron(const format::Catalogue& catalogue);
 
 struct AnswerCounts {
   std::size_t realizable = 0, refuted = 0, open = 0;

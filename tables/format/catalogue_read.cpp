@@ -151,7 +151,7 @@ certificate::Clause clause_from(Lines& lines) {
 template <class Term>
 Term weighted_term(const Lines& lines, std::string_view first) {
   Term term;
-  term.weight = lines.number_from<std::int64_t>(first, 1, std::int64_t{1} << 40U);
+  term.weight = lines.number_from<std::int64_t>(first, 1, (std::int64_t{1} << 40U) - 1);
   return term;
 }
 

@@ -131,10 +131,20 @@ class TriangulationsTest(program.ProgramTest):
         out = self.expect(0, self.hexatlas("enum", "triangulations", "prism", "-o", "-"))
         self.assertEqual(out.out, files[0])
 
+    def test_a_file_named_like_a_cell_is_not_that_cell(self):
+        points, quads = surfaces.cube()  # a cube, but not in our numbering
+        self.write("hexahedron.obj", surfaces.obj(points, quads))
+        self.expect(0, self.hexatlas("enum", "triangulations", "hexahedron.obj", "-o", "a.hxc"))
+        self.expect(0, self.hexatlas("check", "a.hxc"))
+        self.expect_fault(self.hexatlas("realize", "a.hxc", "--jacobian"), "a.hxc")
+        self.expect_fault(self.hexatlas("enum", "triangulations", "hexahedron.obj",
+                                        "--completeness", "a.hxl"), "hexahedron.obj")
+
     def test_a_limited_run_claims_nothing(self):
         said = self.counts("hexahedron", "--max-nodes", "500", code=4)
         self.assertFalse(said["exhaustive"])
         self.assertLess(said["classes"], 174)
+        self.assertLessEqual(said["nodes"], 500)
         ran = self.hexatlas("enum", "triangulations", "hexahedron", "--max-nodes", "500", "-o",
                             "part.hxc")
         self.expect(4, ran)
@@ -221,6 +231,17 @@ class RealizeTest(program.ProgramTest):
                 self.assertEqual(len(points), 6)
                 for t in tetrahedra:
                     self.assertNotEqual(determinant(points, *t), 0)
+
+    def test_a_false_catalogue_is_refused(self):
+        self.expect(0, self.hexatlas("enum", "triangulations", "pyramid", "-o", "a.hxc"))
+        text = self.read("a.hxc").decode()
+        for old, new in (("\nend ", "\nembedded refuted\nqed\nend "),
+                         ("\nend ", "\nembedded points " + " ".join(["0"] * 15) + "\nend "),
+                         ("symmetries 8", "symmetries 9"),
+                         ("\nend ", "\nclass 2 4 0124 0234\nend ")):
+            self.assertIn(old, text)
+            self.write("false.hxc", signed(text.replace(old, new)))
+            self.expect_fault(self.hexatlas("realize", "false.hxc"), "false.hxc")
 
     def test_one_class(self):
         ran = self.expect(0, self.hexatlas("realize", "hexahedron:1", "--jacobian", "--json"))

@@ -19,7 +19,6 @@ namespace {
 
 using namespace hexatlas;
 using balls::Census;
-using balls::CensusOptions;
 using complex::cell_named;
 
 std::map<std::size_t, std::uint64_t> classes_by_size(const Census& census) {

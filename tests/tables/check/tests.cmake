@@ -10,7 +10,7 @@ hexatlas_test(tables_check_completeness_test fast
 hexatlas_test(tables_check_completeness_proof_test long
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/completeness_proof_test.cpp
   USES tables_check realize_solve)
-hexatlas_test(tables_check_catalogue_test fast
+hexatlas_test(tables_check_catalogue_test long
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/catalogue_test.cpp
   USES tables_check tables_format)
 target_compile_definitions(tables_check_catalogue_test PRIVATE
