@@ -11,6 +11,7 @@
 
 #include "cli/command_line_parts.hpp"
 #include "cli/output.hpp"
+#include "enum/flips/scars.hpp"
 
 namespace hexatlas::cli {
 namespace {
@@ -149,8 +150,15 @@ void add_table_readers(CLI::App& table, Action& action) {
   auto* info = table.add_subcommand("info", "What a table holds");
   auto info_options = std::make_shared<TableInfoOptions>();
   info->add_option("TABLE", info_options->table, "Table [the one beside the program]");
+  auto* by = info->add_option_function<std::string>(
+      "--by", [info_options](const std::string&) { info_options->by_quads = true; },
+      "quads: how many hexahedra the meshes have, from the census beside the table if there is "
+      "one");
+  by->check(CLI::IsMember({"quads"}))->type_name("WORD");
+  info->add_option("--svg", info_options->svg, "With --by quads: write a bar chart to this file")
+      ->needs(by);
   info->add_flag("--json", info_options->json, "Print one JSON object");
-  info->footer(example("hexatlas table info"));
+  info->footer(example("hexatlas table info --by quads"));
   info->callback(
       [info_options, &action] { action = [info_options] { return table_info(*info_options); }; });
 
@@ -171,7 +179,14 @@ void add_table_readers(CLI::App& table, Action& action) {
   auto* check = table.add_subcommand("check", "Judge every mesh of a table anew");
   auto check_options = std::make_shared<TableCheckOptions>();
   check->add_option("TABLE", check_options->table, "Table [the one beside the program]");
-  check->footer(example("hexatlas table check"));
+  check
+      ->add_option("--complete-through", check_options->complete_through,
+                   "Refuse it unless it has every 3-connected quadrangulation with an even number "
+                   "of quads from 6 to N")
+      ->type_name("N")
+      ->check(CLI::Range(6, 32));
+  check->add_flag("--json", check_options->json, "Print one JSON object");
+  check->footer(example("hexatlas table check --complete-through 14"));
   check->callback([check_options, &action] {
     action = [check_options] { return table_check(*check_options); };
   });
@@ -188,18 +203,40 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
   build
       ->add_option("--max-quads", options->max_quads,
                    "All 3-connected even quadrangulations with at most this many quads")
-      ->check(CLI::Range(6, 18))
+      ->check(CLI::Range(6, 24))
       ->capture_default_str();
   build->add_option("--also", options->also, "Further boundaries, by name or canonical code");
+  build->add_option(
+      "--state", options->state,
+      "Save the search in this file as it goes and when it is stopped, and go on from "
+      "there if the file exists");
   build
-      ->add_option("--max-ball", options->max_ball,
-                   "Effort: hexahedra of the balls that collars are matched with, at most; "
-                   "fewer is quicker and finds less")
-      ->check(CLI::Range(1, 200))
+      ->add_flag("--so-far", options->so_far,
+                 "Do not search on: write what the search saved in --state has found so far")
+      ->needs("--state");
+  build->add_option("--save-every", options->save_every, "Seconds between two saves, at least")
+      ->check(CLI::Range(0, 86'400))
       ->capture_default_str();
-  build->add_option("--max-collar", options->max_collar, "Effort: hexahedra of a collar, at most")
-      ->check(CLI::Range(0, 100))
-      ->capture_default_str();
+  const auto effort = [build](const char* name, auto& value, auto least, auto most,
+                              const char* help) {
+    build->add_option(name, value, help)
+        ->check(CLI::Range(least, most))
+        ->capture_default_str()
+        ->group("Effort");
+  };
+  effort("--width", options->width, std::size_t{1}, std::size_t{100'000'000},
+         "Balls expanded per number of hexahedra");
+  effort("--per-class", options->per_class, std::size_t{1}, std::size_t{1'000'000},
+         "Balls kept per boundary and number of hexahedra");
+  effort("--widest", options->widest, 6, flips::kMaxSearchQuads,
+         "Quads of the boundaries on the way, at most");
+  effort("--max-hexahedra", options->max_hexahedra, 1, 200,
+         "Hexahedra of the balls grown, at most");
+  effort("--rounds", options->rounds, 1, 1000, "Rounds of sweep, exchange and collars");
+  effort("--growths", options->growths, 0, 1'000'000, "Exchanges tried per boundary and round");
+  effort("--collared", options->collared, std::size_t{0}, std::size_t{1'000'000},
+         "Boundaries per round for which collars are grown, those with the largest meshes");
+  effort("--memory", options->memory_gib, 1, 4096, "GiB that the balls may take, about");
   build
       ->add_option_function<std::string>(
           "--seed", [options](const std::string& word) { options->seed = seed_from(word); },
@@ -207,7 +244,8 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
       ->type_name("UINT")
       ->default_str(std::to_string(options->seed));
   add_threads(*build, options->threads);
-  build->footer(example("hexatlas table build -o my.hxt --max-quads 12 -j 2"));
+  build->footer(
+      example("hexatlas table build -o my.hxt --max-quads 14 --width 20000 --state my.state"));
   build->callback([options, &action] {
     if (options->output.empty() || options->output == "-")
       throw CLI::ValidationError("--output", "a table and its manifest need the name of a file");

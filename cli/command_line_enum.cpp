@@ -48,6 +48,35 @@ void add_triangulations(CLI::App& parent, Action& action) {
       [options, &action] { action = [options] { return enum_triangulations(*options); }; });
 }
 
+void add_quadrangulations(CLI::App& parent, Action& action) {
+  auto* command = parent.add_subcommand(
+      "quadrangulations", "Quadrangulations of the sphere, one of each pair of mirror images");
+  auto options = std::make_shared<EnumQuadrangulationsOptions>();
+  command->add_option("--quads", options->quads, "Number of quads")
+      ->check(CLI::Range(quads::kMinQuads, quads::kMaxQuads))
+      ->required();
+  command->add_option("--class", options->class_name, "3-connected, min-degree-3 or simple")
+      ->check(CLI::IsMember({"3-connected", "min-degree-3", "simple"}))
+      ->capture_default_str();
+  auto* count = command->add_flag("--count")->description("Counts only; the default without -o");
+  command
+      ->add_option("--shard", options->shard,
+                   "Part R of M as R/M, R from 0 on; the parts 0 to M-1 are together the whole")
+      ->check([](const std::string& text) {
+        return shard_from(text) ? std::string() : "must be R/M with 0 <= R < M <= 1000000";
+      });
+  command
+      ->add_option("-o,--output", options->output,
+                   "List to write in planar_code, or - for standard output")
+      ->excludes(count);
+  command->add_flag("--json", options->json, "Print one JSON object");
+  add_threads(*command, options->threads);
+  command->footer("Exit code 4 if the search was stopped.\n" +
+                  example("hexatlas enum quadrangulations --quads 14 -o quads14.planar_code"));
+  command->callback(
+      [options, &action] { action = [options] { return enum_quadrangulations(*options); }; });
+}
+
 struct VerticesVerb {
   const char *name, *help, *footer;
   int least, greatest;
@@ -76,6 +105,7 @@ void add_enum(CLI::App& app, Action& action) {
   auto* parent = app.add_subcommand("enum", "Enumerate up to isomorphism");
   parent->require_subcommand(1);
   add_triangulations(*parent, action);
+  add_quadrangulations(*parent, action);
   add_vertices_verb(*parent, action,
                     {"spheres", "Triangulated 3-spheres, by bistellar flips",
                      "Example:\n  hexatlas enum spheres --vertices 9\n", balls::kMinSphereVertices,

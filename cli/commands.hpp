@@ -4,8 +4,11 @@
 /// to a file, words to standard error.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "enum/quads/generate.hpp"
 
 namespace hexatlas::cli {
 
@@ -41,18 +44,29 @@ struct CodeOptions {
 
 struct TableBuildOptions {
   std::string output;
-  int max_quads = 14;
+  int max_quads = 20;
+  std::vector<std::string> also;
+  std::string state;              ///< file to save the search in and go on from; may be empty
+  int save_every = 120;           ///< seconds
+  bool so_far = false;            ///< do not search: write what the saved search has found
+  std::size_t width = 1'000'000;  ///< fronts expanded per level
+  std::size_t per_class = 200;    ///< fronts per boundary and level
+  int widest = 24;                ///< quads of the boundaries on the way
+  int max_hexahedra = 72;         ///< of balls grown
+  int rounds = 3;
+  int growths = 20;
+  std::size_t collared = 100;
+  int memory_gib = 16;
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all processors
-  std::vector<std::string> also;
-  int max_ball = 72;    ///< cap on the hexahedra of the balls grown first
-  int max_collar = 26;  ///< cap on the hexahedra of the collars
   std::string command;
 };
 [[nodiscard]] ExitCode table_build(const TableBuildOptions& options);
 
 struct TableInfoOptions {
   std::string table;
+  bool by_quads = false;
+  std::string svg;  ///< file for a bar chart; with by_quads only
   bool json = false;
 };
 [[nodiscard]] ExitCode table_info(const TableInfoOptions& options);
@@ -64,6 +78,8 @@ struct TableGetOptions {
 
 struct TableCheckOptions {
   std::string table;
+  int complete_through = 0;  ///< refused unless complete up to this number of quads; 0: anything
+  bool json = false;
 };
 [[nodiscard]] ExitCode table_check(const TableCheckOptions& options);
 
@@ -87,6 +103,19 @@ struct EnumVerticesOptions {
 [[nodiscard]] ExitCode enum_spheres(const EnumVerticesOptions& options);
 [[nodiscard]] ExitCode enum_balls(const EnumVerticesOptions& options);
 [[nodiscard]] ExitCode enum_polyhedra(const EnumVerticesOptions& options);
+
+/// "R/M" with 0 <= R < M <= 1000000; nullopt if the text is not of this form.
+[[nodiscard]] std::optional<quads::Shard> shard_from(const std::string& text);
+
+struct EnumQuadrangulationsOptions {
+  int quads = 0;
+  std::string class_name = "3-connected";  ///< or min-degree-3, simple
+  std::string shard;                       ///< as for shard_from(); empty: the whole
+  std::string output;
+  bool json = false;
+  int threads = 0;  ///< 0: all processors
+};
+[[nodiscard]] ExitCode enum_quadrangulations(const EnumQuadrangulationsOptions& options);
 
 struct RealizeOptions {
   std::string input;  ///< a catalogue, CELL, or CELL:NUMBER

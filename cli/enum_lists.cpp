@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/long_work.hpp"
 #include "cli/output.hpp"
 #include "enum/balls/polyhedra.hpp"
 #include "enum/balls/spheres.hpp"
@@ -18,18 +19,6 @@
 
 namespace hexatlas::cli {
 namespace {
-
-int threads_of(const EnumVerticesOptions& options) {
-  return options.threads == 0 ? parallel::available_threads() : options.threads;
-}
-
-balls::Spheres spheres_with(int vertices, int threads) {
-  ProgressLine progress;
-  return balls::spheres(
-      vertices, {threads, [&progress](int n, std::size_t found, std::size_t flipped) {
-                   progress.update(fmt::format("spheres with {} vertices", n), flipped, found);
-                 }});
-}
 
 template <class List, class SizeOf>
 std::map<std::size_t, std::uint64_t> histogram(const List& list, SizeOf&& size_of) {
@@ -62,14 +51,16 @@ void print_list(const EnumVerticesOptions& options, const char* kind, std::size_
 }  // namespace
 
 ExitCode enum_spheres(const EnumVerticesOptions& options) {
-  const balls::Spheres list = spheres_with(options.vertices, threads_of(options));
+  const balls::Spheres list =
+      spheres_with(options.vertices, parallel::threads_or_all(options.threads));
   print_list(options, "spheres", list.found.size(),
              histogram(list.found, [](const auto& sphere) { return sphere.tetrahedra.size(); }));
   return ExitCode::yes;
 }
 
 ExitCode enum_balls(const EnumVerticesOptions& options) {
-  const int threads = threads_of(options);
+  if (!options.output.empty()) core::expect_writable(options.output);
+  const int threads = parallel::threads_or_all(options.threads);
   const std::vector<balls::Ball> list =
       balls::balls(spheres_with(options.vertices + 1, threads), threads);
   if (!options.output.empty())
@@ -91,9 +82,10 @@ ExitCode enum_polyhedra(const EnumVerticesOptions& options) {
   std::size_t number = 0;
   balls::ClassCounts sum;
   bool all_exhaustive = true;
+  const int threads = parallel::threads_or_all(options.threads);
   for (const complex::Cell& cell : balls::polyhedra(options.vertices)) {
     const balls::Census census = balls::triangulations(
-        cell, {.keep_classes = false, .threads = threads_of(options), .stop = &stop_requested()});
+        cell, {.keep_classes = false, .threads = threads, .stop = &stop_requested()});
     const balls::ClassCounts total = census.total();
     sum += total;
     all_exhaustive = all_exhaustive && census.exhaustive;

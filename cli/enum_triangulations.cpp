@@ -4,8 +4,8 @@
 
 #include "cli/cell_input.hpp"
 #include "cli/commands.hpp"
-#include "cli/completeness.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/long_work.hpp"
 #include "cli/output.hpp"
 #include "enum/balls/spheres.hpp"
 #include "enum/balls/spheres_cells.hpp"
@@ -63,15 +63,9 @@ balls::Census census_of(const complex::Cell& cell, balls::CensusOptions options)
 /// The second road, which shares no search with the first.
 balls::Census census_through_spheres(const complex::Cell& cell,
                                      const balls::CensusOptions& options) {
-  const balls::CellClasses found = [&] {
-    ProgressLine progress;
-    const balls::Spheres list =
-        balls::spheres(cell.vertices + options.interior + 1,
-                       {options.threads, [&progress](int n, std::size_t all, std::size_t done) {
-                          progress.update(fmt::format("spheres with {} vertices", n), done, all);
-                        }});
-    return balls::triangulations_from(list, cell, {options.boundary_tetrahedra}, options.threads);
-  }();
+  const balls::CellClasses found = balls::triangulations_from(
+      spheres_with(cell.vertices + options.interior + 1, options.threads), cell,
+      {options.boundary_tetrahedra}, options.threads);
   balls::Census census;
   census.symmetries = complex::symmetries(cell).size();
   for (const balls::CellClass& entry : found.classes) {
@@ -83,10 +77,7 @@ balls::Census census_through_spheres(const complex::Cell& cell,
 }
 
 void write_completeness(const std::string& file, const format::Catalogue& catalogue) {
-  ProgressLine progress;
-  std::size_t steps = 0;
-  const auto certificate = completeness_certificate(
-      catalogue, [&](const std::string& step) { progress.update(step, ++steps, 0); });
+  const auto certificate = prove_completeness(catalogue);
   core::ensures(certificate.has_value(), "an exhaustive list is complete");
   core::write_file(file, format::compressed(*certificate));
 }
@@ -118,11 +109,13 @@ ExitCode enum_triangulations(const EnumTriangulationsOptions& options) {
   const NamedCell input = cell_from(options.cell);
   expect_few_enough(options, input);
   expect_known_completeness(options, input);
+  for (const std::string& file : {options.output, options.completeness})
+    if (!file.empty()) core::expect_writable(file);
   balls::CensusOptions census_options;
   census_options.interior = options.interior;
   census_options.boundary_tetrahedra = options.boundary_tetrahedra;
   census_options.keep_classes = !options.output.empty() || !options.completeness.empty();
-  census_options.threads = options.threads == 0 ? parallel::available_threads() : options.threads;
+  census_options.threads = parallel::threads_or_all(options.threads);
   census_options.max_nodes = options.max_nodes;
   const balls::Census census = options.through_spheres
                                    ? census_through_spheres(input.cell, census_options)

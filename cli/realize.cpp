@@ -6,7 +6,7 @@
 
 #include "cli/cell_input.hpp"
 #include "cli/commands.hpp"
-#include "cli/interrupt.hpp"
+#include "cli/long_work.hpp"
 #include "cli/output.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
@@ -68,23 +68,17 @@ Condition condition_of(const RealizeOptions& options) {
 }  // namespace
 
 ExitCode realize(const RealizeOptions& options) {
+  if (!options.output.empty()) core::expect_writable(options.output);
   auto [catalogue, is_compressed] = input_from(options.input);
   const Condition condition = condition_of(options);
   if (condition == Condition::jacobian && !build::is_hexahedron(catalogue))
     throw core::InvalidInput(options.input,
                              "--jacobian is for the hexahedron without interior vertex");
-  {
-    ProgressLine progress;
-    build::RealizeOptions build_options;
-    build_options.condition = condition;
-    build_options.threads = options.threads == 0 ? parallel::available_threads() : options.threads;
-    if (options.quick) build_options.effort.coordinates.shrink_starts = 0;
-    build_options.stop = &stop_requested();
-    build_options.progress = [&progress](std::size_t done, std::size_t all) {
-      progress.update("classes", done, all);
-    };
-    build::realize(catalogue, build_options);
-  }
+  build::RealizeOptions build_options;
+  build_options.condition = condition;
+  build_options.threads = parallel::threads_or_all(options.threads);
+  if (options.quick) build_options.effort.coordinates.shrink_starts = 0;
+  realize_classes(catalogue, build_options, "classes");
   if (!options.output.empty()) {
     const std::string bytes = format::catalogue_bytes(catalogue);
     core::write_file(options.output, is_compressed ? format::compressed(bytes) : bytes);

@@ -8,10 +8,10 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <string>
 
 #include "cli/commands.hpp"
-#include "cli/completeness.hpp"
-#include "cli/interrupt.hpp"
+#include "cli/long_work.hpp"
 #include "cli/output.hpp"
 #include "enum/balls/spheres.hpp"
 #include "enum/balls/spheres_cells.hpp"
@@ -36,6 +36,10 @@ constexpr std::array<std::size_t, 5> kSpheres{1, 2, 5, 39, 1296};
 constexpr std::size_t kClasses = 174;
 constexpr std::size_t kRealizable = 171;
 constexpr std::size_t kGreatestSize = 15;
+
+constexpr const char* kCatalogueFile = "hexahedron.hxc";
+constexpr const char* kPicturesFile = "hexahedron.html";
+constexpr const char* kProofFile = "hexahedron.hxl";
 
 /// Prints a line per claim and remembers whether all of them held.
 class Ledger {
@@ -62,10 +66,13 @@ class Reproduction {
  public:
   explicit Reproduction(const ReproduceOptions& options)
       : folder_(options.folder),
-        threads_(options.threads == 0 ? parallel::available_threads() : options.threads),
+        threads_(parallel::threads_or_all(options.threads)),
         cell_(*complex::cell_named("hexahedron")) {}
 
   bool run() {
+    if (!folder_.empty())
+      for (const std::string name : {kCatalogueFile, kPicturesFile, kProofFile})
+        core::expect_writable(path_of(name));
     enumerate();
     enumerate_through_spheres();
     answer(Condition::embedded);
@@ -75,15 +82,19 @@ class Reproduction {
     judge();
     prove_complete();
     if (!folder_.empty()) {
-      write("hexahedron.hxc", format::catalogue_bytes(catalogue_));
-      write("hexahedron.html", sheet::contact_sheet(catalogue_));
+      write(kCatalogueFile, format::catalogue_bytes(catalogue_));
+      write(kPicturesFile, sheet::contact_sheet(catalogue_));
     }
     return ledger_.all_agree();
   }
 
  private:
+  [[nodiscard]] std::string path_of(const std::string& name) const {
+    return (std::filesystem::path(folder_) / name).string();
+  }
+
   void write(const std::string& name, const std::string& bytes) {
-    const std::string path = (std::filesystem::path(folder_) / name).string();
+    const std::string path = path_of(name);
     core::write_file(path, bytes);
     ledger_.note("written: " + path);
   }
@@ -118,15 +129,10 @@ class Reproduction {
   }
 
   void answer(Condition condition) {
-    ProgressLine progress;
     build::RealizeOptions options;
     options.condition = condition;
     options.threads = threads_;
-    options.stop = &stop_requested();
-    options.progress = [&](std::size_t done, std::size_t all) {
-      progress.update(std::string(certificate::name_of(condition)), done, all);
-    };
-    build::realize(catalogue_, options);
+    realize_classes(catalogue_, options, std::string(certificate::name_of(condition)));
     const build::AnswerCounts counts = build::count_answers(catalogue_, condition);
     ledger_.note(fmt::format("{}: {} by coordinates, {} refuted, {} open",
                              certificate::name_of(condition), counts.realizable, counts.refuted,
@@ -146,28 +152,25 @@ class Reproduction {
 
   void judge() {
     const check::CatalogueVerdict verdict =
-        check::check_catalogue_bytes(format::catalogue_bytes(catalogue_), "hexahedron.hxc");
+        check::check_catalogue_bytes(format::catalogue_bytes(catalogue_), kCatalogueFile);
     ledger_.hold("the judge accepts classes, coordinates and refutations" +
                      (verdict.accepted ? "" : ": " + verdict.reason),
                  verdict.accepted);
   }
 
   void prove_complete() {
-    ProgressLine progress;
-    std::size_t step = 0;
-    const auto certificate = completeness_certificate(
-        catalogue_, [&](const std::string& words) { progress.update(words, ++step, 0); });
+    const auto certificate = prove_completeness(catalogue_);
     ledger_.hold("no other triangulation: a solver found a proof", certificate.has_value());
     if (!certificate) return;
     const check::CompletenessVerdict verdict = check::check_completeness_bytes(
-        format::catalogue_bytes(catalogue_), "hexahedron.hxc", *certificate, "hexahedron.hxl");
+        format::catalogue_bytes(catalogue_), kCatalogueFile, *certificate, kProofFile);
     ledger_.hold("the judge accepts the proof" +
                      (verdict.complete ? fmt::format(", {} bytes", certificate->size())
                                        : ": " + verdict.fault),
                  verdict.complete);
     ledger_.compare("labelled, by the judge", verdict.labelled,
                     static_cast<std::size_t>(census_.total().labelled));
-    if (!folder_.empty()) write("hexahedron.hxl", *certificate);
+    if (!folder_.empty()) write(kProofFile, *certificate);
   }
 
   std::string folder_;

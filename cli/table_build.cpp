@@ -1,18 +1,23 @@
+#include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 
 #include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
-#include "tables/build/generate.hpp"
+#include "tables/build/census.hpp"
 #include "tables/build/named.hpp"
+#include "tables/build/search.hpp"
 #include "tables/format/manifest.hpp"
 
 namespace hexatlas::cli {
@@ -28,8 +33,9 @@ canon::Code code_of(const std::string& name_or_code) {
   if (code->quads % 2 != 0 || !boundary->is_three_connected() ||
       code->quads > flips::kMaxSearchQuads)
     throw core::InvalidInput(name_or_code,
-                             "no search here: a boundary needs an even number of at most 24 "
-                             "quads and a 3-connected graph");
+                             "no search here: a boundary needs an even number of at most " +
+                                 std::to_string(flips::kMaxSearchQuads) +
+                                 " quads and a 3-connected graph");
   return *code;
 }
 
@@ -43,25 +49,48 @@ std::vector<canon::Code> boundaries(const TableBuildOptions& options) {
   return codes;
 }
 
-/// A search may take hours: what would make it be in vain is told before.
-void expect_writable(const std::string& output) {
-  std::filesystem::path path(output);
+build::SearchOptions search_options(const TableBuildOptions& options) {
+  constexpr std::size_t kBytesPerFront = 120;  // itself, its share of the tables, and slack
+  build::SearchOptions search =
+      build::default_search(options.seed, parallel::threads_or_all(options.threads));
+  search.balls.max_quads = options.widest;
+  search.balls.fronts_per_class = options.per_class;
+  search.balls.fronts_per_level = options.width;
+  search.balls.max_fronts = (static_cast<std::size_t>(options.memory_gib) << 30U) / kBytesPerFront;
+  search.collars.max_quads = options.widest;
+  search.max_hexahedra = options.max_hexahedra;
+  search.rounds = options.rounds;
+  search.growths = options.growths;
+  search.collared = options.collared;
+  return search;
+}
+
+build::TableSearch begin(const TableBuildOptions& options) {
+  std::vector<canon::Code> targets = boundaries(options);
+  const build::SearchOptions search = search_options(options);
   std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::status_known(status))
-    throw core::InvalidInput(output, "cannot be created: " + error.message());
-  if (std::filesystem::is_directory(status)) throw core::InvalidInput(output, "is a directory");
-  if (std::filesystem::exists(status)) {
-    if (::access(path.c_str(), W_OK) != 0)
-      throw core::InvalidInput(output, "cannot be replaced: it is not writable");
-    if (!std::filesystem::is_regular_file(status)) return;  // a device is written in place
-    path = std::filesystem::canonical(path);
+  const bool is_new = options.state.empty() || !std::filesystem::exists(options.state, error);
+  if (is_new && options.so_far)
+    throw core::InvalidInput(options.state, "is not there: there is no search so far");
+  if (is_new) return {std::move(targets), search};
+  return build::TableSearch::from_bytes(core::read_file(options.state), std::move(targets), search,
+                                        options.state);
+}
+
+/// Whether the search came to its end; otherwise a stop was asked for.
+bool proceed(build::TableSearch& search, const std::string& state, double save_every) {
+  ProgressLine line;
+  double saved = seconds();
+  while (!search.is_finished() && !stop_requested()) {
+    const auto progress = search.progress();
+    line.update(progress.phase, progress.done, progress.total);
+    search.step();
+    if (state.empty() || seconds() - saved < save_every) continue;
+    core::write_file(state, search.to_bytes());
+    saved = seconds();
   }
-  const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  if (!std::filesystem::is_directory(folder, error))
-    throw core::InvalidInput(output, "cannot be created: there is no folder " + folder.string());
-  if (::access(folder.c_str(), W_OK | X_OK) != 0)
-    throw core::InvalidInput(output, "cannot be created: the folder is not writable");
+  if (!state.empty()) core::write_file(state, search.to_bytes());
+  return search.is_finished();
 }
 
 std::vector<format::TableRowName> names_among(const std::vector<format::TableRow>& rows) {
@@ -74,14 +103,41 @@ std::vector<format::TableRowName> names_among(const std::vector<format::TableRow
   return result;
 }
 
-/// The table took the time: it stays where only its manifest cannot be written.
-void write_both(const std::string& table_path, const std::string& table,
-                const std::string& manifest_path, const std::string& manifest) {
-  core::write_file(table_path, table);
+/// The claim of completeness that the meshes found bear out.
+int complete_through(int max_quads, const std::vector<canon::Code>& without_mesh) {
+  int complete = max_quads - max_quads % 2;
+  for (const canon::Code& code : without_mesh)
+    complete = std::min(complete, static_cast<int>(code.quads) - 2);
+  return complete < 6 ? 0 : complete;
+}
+
+/// SOURCE_DATE_EPOCH, for builds that are to be the same on any day, or today.
+std::string today() {
+  std::time_t now = std::time(nullptr);
+  if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) now = std::atoll(epoch);
+  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
+}
+
+build::Census census_of(const build::TableSearch& search, const format::Table& table) {
+  build::Census census{{table.sha256(), "hexatlas " + version(), HEXATLAS_COMMIT}, {}};
+  const std::string found = today();
+  for (const auto& row : search.rows())
+    census.rows.push_back(build::census_row(table.entry(table.find(row.code).value()),
+                                            std::string(build::name_of(row.origin)), found));
+  return census;
+}
+
+/// The table took the time: it stays where what belongs to it cannot be written.
+void write_all(const TableBuildOptions& options, const build::TableSearch& search,
+               const format::Table& table, const std::string& bytes) {
+  core::write_file(options.output, bytes);
   try {
-    core::write_file(manifest_path, manifest);
+    core::write_file(format::manifest_path(options.output),
+                     format::manifest_text(table, {options.command, options.seed,
+                                                   "hexatlas " + version(), HEXATLAS_COMMIT}));
+    build::write_census(build::census_path(options.output), census_of(search, table));
   } catch (const std::exception&) {
-    say("the table " + table_path + " was written, its manifest was not");
+    say("the table " + options.output + " was written, its manifest or its census was not");
     throw;
   }
 }
@@ -89,34 +145,32 @@ void write_both(const std::string& table_path, const std::string& table,
 }  // namespace
 
 ExitCode table_build(const TableBuildOptions& options) {
-  const std::string manifest_path = format::manifest_path(options.output);
-  expect_writable(options.output);
-  expect_writable(manifest_path);
-  const std::vector<canon::Code> codes = boundaries(options);
-  const int threads = options.threads > 0 ? options.threads : parallel::available_threads();
-  std::vector<build::Stage> stages = build::default_stages(options.seed, threads);
-  for (build::Stage& stage : stages) {
-    stage.max_ball = std::min(stage.max_ball, options.max_ball);
-    stage.max_collar = std::min(stage.max_collar, options.max_collar);
+  for (const std::string& path :
+       {options.output, format::manifest_path(options.output), build::census_path(options.output)})
+    core::expect_writable(path);
+  if (!options.state.empty()) core::expect_writable(options.state);
+  build::TableSearch search = begin(options);
+  if (!options.so_far && !proceed(search, options.state, options.save_every)) {
+    say(options.state.empty()
+            ? "stopped; no table was written (--state FILE would have saved the search)"
+            : "stopped; the same command goes on from " + options.state);
+    return ExitCode::undecided;
   }
-  build::Generated made;
-  {
-    ProgressLine progress;
-    made = build::generate(codes, stages, [&](const build::Progress& p) {
-      progress.update(p.phase, p.done, p.total);
-    });
-  }
-  for (const canon::Code& code : made.without_mesh)
-    say("no mesh found for " + canon::to_text(code) + "; it is not in the table");
-  const std::vector<format::TableRowName> names = names_among(made.rows);
-  const std::string bytes = format::table_bytes(std::move(made.rows), names);
+  const std::vector<canon::Code> without_mesh = search.without_mesh();
+  constexpr std::size_t kMissingShown = 10;
+  for (std::size_t i = 0; i < std::min(kMissingShown, without_mesh.size()); ++i)
+    say("no mesh found for " + canon::to_text(without_mesh[i]) + "; it is not in the table");
+  if (without_mesh.size() > kMissingShown)
+    say(fmt::format("no mesh found for {} boundaries in all", without_mesh.size()));
+  std::vector<format::TableRow> rows = build::table_rows(search);
+  const std::vector<format::TableRowName> names = names_among(rows);
+  const std::string bytes = format::table_bytes(std::move(rows), names,
+                                                complete_through(options.max_quads, without_mesh));
   const format::Table table = format::Table::from_bytes(bytes, options.output);
-  const std::string manifest = format::manifest_text(
-      table, {options.command, options.seed, "hexatlas " + version(), HEXATLAS_COMMIT});
-  write_both(options.output, bytes, manifest_path, manifest);
+  write_all(options, search, table, bytes);
   print(fmt::format("{}: {} meshes, {} bytes, sha256 {}\n", options.output, table.size(),
                     table.bytes(), table.sha256()));
-  return made.without_mesh.empty() ? ExitCode::yes : ExitCode::undecided;
+  return without_mesh.empty() ? ExitCode::yes : ExitCode::undecided;
 }
 
 }  // namespace hexatlas::cli

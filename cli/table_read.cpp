@@ -1,31 +1,60 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "cli/table_by_quads.hpp"
 #include "enum/complex/quad_surface.hpp"
 #include "enum/complex/quadrangulation.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
-#include "tables/check/table_check.hpp"
+#include "tables/build/named.hpp"
 #include "tables/format/manifest.hpp"
 
 namespace hexatlas::cli {
 
+namespace {
+
+/// What is published about a boundary of this name; null if nothing is known of it.
+nlohmann::ordered_json literature(std::string_view name) {
+  const build::NamedBoundary* const named = build::named_boundary(name);
+  if (named == nullptr) return nullptr;
+  return {{"hexahedra", named->literature}, {"source", named->source}};
+}
+
+std::string names_text(const format::Table& table) {
+  std::string text;
+  if (!table.names().empty())
+    text = fmt::format("\n{:<22} {:>5} {:>9} {:>10}\n", "name", "quads", "hexahedra", "literature");
+  for (const format::TableName& name : table.names()) {
+    const format::TableEntry entry = table.entry(name.ordinal);
+    const build::NamedBoundary* const named = build::named_boundary(name.name);
+    text += fmt::format("{:<22} {:>5} {:>9} {:>10}  {}  {}\n", name.name, entry.code.quads,
+                        entry.hexahedra, named == nullptr ? "?" : std::to_string(named->literature),
+                        canon::to_text(entry.code), named == nullptr ? "" : named->source);
+  }
+  return text;
+}
+
+}  // namespace
+
 ExitCode table_info(const TableInfoOptions& options) {
   const format::Table table = format::Table::open(table_path(options.table));
+  if (options.by_quads) {
+    print_by_quads(table, options);
+    return ExitCode::yes;
+  }
   if (options.json) {
     nlohmann::ordered_json json;
     json["file"] = table.path();
     json["bytes"] = table.bytes();
     json["sha256"] = table.sha256();
     json["entries"] = table.size();
+    json["complete_through"] = table.complete_through();
     json["by_quads"] = nlohmann::ordered_json::object();
     for (const format::Tally& t : format::tally_of(table))
       json["by_quads"][std::to_string(t.quads)] = {
@@ -33,7 +62,8 @@ ExitCode table_info(const TableInfoOptions& options) {
     json["names"] = nlohmann::ordered_json::object();
     for (const format::TableName& name : table.names())
       json["names"][name.name] = {{"code", canon::to_text(table.entry(name.ordinal).code)},
-                                  {"hexahedra", table.entry(name.ordinal).hexahedra}};
+                                  {"hexahedra", table.entry(name.ordinal).hexahedra},
+                                  {"literature", literature(name.name)}};
     print(to_line(json));
     return ExitCode::yes;
   }
@@ -43,13 +73,7 @@ ExitCode table_info(const TableInfoOptions& options) {
   for (const format::Tally& t : format::tally_of(table))
     text += fmt::format("{:>5} {:>8} {:>6} {:>8.2f} {:>6}\n", t.quads, t.entries, t.least,
                         static_cast<double>(t.total) / static_cast<double>(t.entries), t.greatest);
-  text += "\n";
-  for (const format::TableName& name : table.names()) {
-    const format::TableEntry entry = table.entry(name.ordinal);
-    text += fmt::format("{:<22} {:>3} quads {:>4} hexahedra  {}\n", name.name, entry.code.quads,
-                        entry.hexahedra, canon::to_text(entry.code));
-  }
-  print(text);
+  print(text + names_text(table));
   return ExitCode::yes;
 }
 
@@ -117,38 +141,10 @@ ExitCode table_get(const TableGetOptions& options) {
   json["hexahedra"] = entry.hexahedra;
   json["interior_vertices"] = entry.interior_vertices;
   json["lower_bound"] = entry.lower_bound;
+  if (!options.name.empty()) json["literature"] = literature(options.name);
   json["boundary"] = canon::decode(code).value().list_of_quads();
   json["cells"] = mesh.hexahedra;
   core::write_file(options.output.empty() ? "-" : options.output, to_line(json));
-  return ExitCode::yes;
-}
-
-ExitCode table_check(const TableCheckOptions& options) {
-  const std::string path = table_path(options.table);
-  const std::string bytes = core::read_file(path);
-  const check::TableVerdict verdict = check::check_table_bytes(bytes);
-  if (!verdict.accepted) {
-    print(fmt::format("{}: rejected: {}\n", path, verdict.reason));
-    return ExitCode::no;
-  }
-  const std::string manifest = format::manifest_path(path);
-  std::string said = "no manifest beside it";
-  std::error_code error;  // a name that is too long for a file is that of none
-  if (std::filesystem::exists(manifest, error)) {
-    const format::ManifestClaims claims = format::read_manifest(manifest);
-    const format::Table table = format::Table::from_bytes(bytes, path);
-    const std::string told =
-        format::manifest_text(table, {claims.command, claims.seed, claims.program, claims.commit});
-    if (core::read_file(manifest) != told) {
-      print(fmt::format("{}: rejected: it is not as its manifest {} says\n", path, manifest));
-      return ExitCode::no;
-    }
-    said = "as its manifest says";
-  }
-  std::uint64_t hexahedra = 0;
-  for (const check::TableRow& row : verdict.by_quads) hexahedra += row.total_hexahedra;
-  print(fmt::format("{}: accepted: {} meshes with {} hexahedra, {} names; {}\n", path,
-                    verdict.entries, hexahedra, verdict.names, said));
   return ExitCode::yes;
 }
 

@@ -11,6 +11,7 @@ pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(gmp REQUIRED IMPORTED_TARGET gmpxx gmp)
 pkg_check_modules(nauty REQUIRED IMPORTED_TARGET nauty)
 pkg_check_modules(z3 REQUIRED IMPORTED_TARGET z3)
+pkg_check_modules(sqlite REQUIRED IMPORTED_TARGET sqlite3)
 # CaDiCaL comes without a description of its own.
 find_path(HEXATLAS_CADICAL_INCLUDE cadical.hpp REQUIRED)
 find_library(HEXATLAS_CADICAL_LIBRARY cadical REQUIRED)

@@ -35,8 +35,8 @@ std::vector<Pattern> patterns_of(const Cell& cell, const std::vector<VertexMap>&
   std::vector<Pattern> result;
   for (const complex::CutSurface& surface : complex::cut_surfaces(cell)) {
     Triangulation triangles{cell.vertices, {}};
-    for (const auto& [a, b, c] : surface.triangles)
-      triangles.tetrahedra.push_back(static_cast<VertexSet>(bit_of(a) | bit_of(b) | bit_of(c)));
+    for (const complex::OrientedTriangle& t : surface.triangles)
+      triangles.tetrahedra.push_back(complex::set_of(t));
     std::sort(triangles.tetrahedra.begin(), triangles.tetrahedra.end());
     if (seen.contains(triangles)) continue;
     const SphereMap map = map_of(cell.vertices, surface.triangles);

@@ -27,9 +27,7 @@ using Tetrahedra = std::vector<VertexSet>;
 std::vector<VertexSet> triangle_sets(const CutSurface& surface) {
   std::vector<VertexSet> sets;
   sets.reserve(surface.triangles.size());
-  for (const auto& t : surface.triangles)
-    sets.push_back(static_cast<VertexSet>(complex::bit_of(t[0]) | complex::bit_of(t[1]) |
-                                          complex::bit_of(t[2])));
+  for (const complex::OrientedTriangle& t : surface.triangles) sets.push_back(complex::set_of(t));
   std::sort(sets.begin(), sets.end());
   return sets;
 }

@@ -55,6 +55,11 @@ struct Cell {
 /// An oriented triangle: counter-clockwise seen from outside.
 using OrientedTriangle = std::array<std::uint8_t, 3>;
 
+/// Its vertices, without the orientation.
+[[nodiscard]] constexpr VertexSet set_of(const OrientedTriangle& triangle) noexcept {
+  return static_cast<VertexSet>(bit_of(triangle[0]) | bit_of(triangle[1]) | bit_of(triangle[2]));
+}
+
 /// The triangulated spheres obtained by a diagonal in each quad, as far as they are simplicial. Bit
 /// i of the choice: the i-th quad in the order of the facets is cut by the diagonal through its
 /// second vertex instead of its first. Ascending by choice.

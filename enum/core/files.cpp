@@ -70,9 +70,24 @@ mode_t mode_for(const std::filesystem::path& target) {
   return 0666 & ~mask;
 }
 
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+/// Whether the rights of this process allow it; errno says why not.
+bool allows(const std::filesystem::path& path, int access) {
+  return ::faccessat(AT_FDCWD, path.c_str(), access, AT_EACCESS) == 0;
+}
+
+/// Requires that nothing is there, which a link to nothing also looks like.
+void expect_no_link(const std::string& path) {
+  std::error_code unknown;  // then who creates the file finds out
+  if (std::filesystem::is_symlink(std::filesystem::symlink_status(path, unknown)))
+    throw InvalidInput(path, "is a link to something that does not exist");
+}
+
 void replace_file(const std::filesystem::path& target, std::string_view bytes) {
-  const std::filesystem::path folder =
-      target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
+  const std::filesystem::path folder = folder_of(target);
   std::string temporary = (folder / ".hexatlas.XXXXXX").string();
   const Descriptor fd(::mkostemp(temporary.data(), O_CLOEXEC));
   if (fd.get() < 0) {
@@ -111,20 +126,39 @@ void write_file(const std::string& path, std::string_view bytes) {
   if (path == "-") return write_all(STDOUT_FILENO, bytes, "standard output");
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {
-    std::error_code unknown;  // then replace_file() finds out
-    if (std::filesystem::is_symlink(std::filesystem::symlink_status(path, unknown)))
-      throw InvalidInput(path, "is a link to something that does not exist");
+    expect_no_link(path);
     return replace_file(path, bytes);
   }
   if (S_ISDIR(status.st_mode)) throw InvalidInput(path, "is a directory");
   if (S_ISREG(status.st_mode)) {
-    if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
-      throw InvalidInput(path, "cannot be written: " + system_message());
+    if (!allows(path, W_OK)) throw InvalidInput(path, "cannot be written: " + system_message());
     return replace_file(std::filesystem::canonical(path), bytes);
   }
   const Descriptor fd(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (fd.get() < 0) throw InvalidInput(path, "cannot be opened: " + system_message());
   write_all(fd.get(), bytes, path);
+}
+
+void expect_writable(const std::string& path) {
+  if (path == "-") return;
+  std::filesystem::path file(path);
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (!std::filesystem::status_known(status))
+    throw InvalidInput(path, "cannot be created: " + error.message());
+  if (std::filesystem::is_directory(status)) throw InvalidInput(path, "is a directory");
+  if (std::filesystem::exists(status)) {
+    if (!allows(file, W_OK)) throw InvalidInput(path, "cannot be replaced: it is not writable");
+    if (!std::filesystem::is_regular_file(status)) return;  // a device is written in place
+    file = std::filesystem::canonical(file);
+  } else {
+    expect_no_link(path);
+  }
+  const std::filesystem::path folder = folder_of(file);
+  if (!std::filesystem::is_directory(folder, error))
+    throw InvalidInput(path, "cannot be created: there is no folder " + folder.string());
+  if (!allows(folder, W_OK | X_OK))
+    throw InvalidInput(path, "cannot be created: the folder is not writable");
 }
 
 }  // namespace hexatlas::core

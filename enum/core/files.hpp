@@ -23,4 +23,9 @@ inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{4} << 30U;
 /// directory, a link to nothing), ResourceFailure if writing fails later (disk full).
 void write_file(const std::string& path, std::string_view bytes);
 
+/// Tells before long work what would make it be in vain: that write_file(path, ...) cannot succeed
+/// as the file system stands. Writes nothing. That the file can be written later is not promised.
+/// Throws InvalidInput in the cases in which write_file() does.
+void expect_writable(const std::string& path);
+
 }  // namespace hexatlas::core

@@ -1,261 +1,197 @@
 #include "enum/flips/beam.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <tuple>
 #include <utility>
 
 #include "enum/core/checks.hpp"
+#include "enum/core/errors.hpp"
 #include "enum/parallel/parallel_for.hpp"
 
 namespace hexatlas::flips {
 namespace {
 
-constexpr std::size_t kShards = 64;
-constexpr std::size_t kParentsPerChunk = 128;
+constexpr std::size_t kParentsPerChunk = 64;
 constexpr std::size_t kChunksPerBatch = 256;
 
-}  // namespace
-
-struct Beam::Candidate {
-  State state;
-  FrontId parent;
-  Flip flip;
-  std::uint16_t size;  ///< number of scars
-};
-
-/// The classes whose codes hash to one number. Shards are merged independently, each in the
-/// order of the candidates, so the result does not depend on the threads.
-struct Beam::Shard {
-  struct Node {
-    Scars scars;
-    std::uint32_t class_index;
-    FrontId parent;
-    Flip flip;
-    std::uint16_t level;
-    std::uint16_t size;
-  };
-  struct Class {
-    canon::Code code;
-    std::vector<std::uint32_t> nodes;  ///< in order of level
-    std::uint32_t level_begin = 0;     ///< first place in `nodes` of level `level`
-    int level = 0;
-  };
-  std::unordered_map<canon::Code, std::uint32_t> class_of;
-  std::vector<Class> classes;
-  std::vector<Node> nodes;
-  std::size_t level_begin = 0;  ///< first node of the level being built
-  std::uint64_t candidates = 0;
-  bool truncated = false;
-};
-
-Beam::Beam(Beam&&) noexcept = default;
-Beam& Beam::operator=(Beam&&) noexcept = default;
-Beam::~Beam() = default;
-
-namespace {
-
-std::size_t shard_of(const canon::Code& code) noexcept {
-  return (std::hash<canon::Code>{}(code) >> 20U) % kShards;
+FrontStore::Limits limits_of(const BeamOptions& options) {
+  return {options.fronts_per_class, options.max_fronts, options.seed, options.use_dominance};
 }
 
 }  // namespace
 
-Beam::Beam(const State& start, const BeamOptions& options) : options_(options), shards_(kShards) {
+/// The children of a few parents, and in which order each shard is to see its own.
+struct Beam::Chunk {
+  std::vector<FrontStore::Offer> offers;
+  std::vector<std::uint32_t> order;  ///< indices into `offers`, by shard, else ascending
+  std::array<std::uint32_t, FrontStore::kShards + 1> begin{};
+
+  void deal() {
+    std::vector<std::uint8_t> shard(offers.size());
+    begin.fill(0);
+    for (std::size_t i = 0; i < offers.size(); ++i) {
+      shard[i] = static_cast<std::uint8_t>(FrontStore::shard_of(offers[i].state.code));
+      ++begin[shard[i] + std::size_t{1}];
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    auto next = begin;
+    order.resize(offers.size());
+    for (std::uint32_t i = 0; i < offers.size(); ++i) order[next[shard[i]]++] = i;
+  }
+};
+
+Beam::Beam(const State& start, const BeamOptions& options)
+    : options_(options), store_(limits_of(options)) {
   core::expects(options.max_quads >= 6 && options.max_quads <= kMaxSearchQuads,
-                "boundaries have from 6 to 24 quads");
+                "boundaries have from 6 to 26 quads");
   core::expects(
       options.fronts_per_class >= 1 && options.fronts_per_level >= 1 && options.threads >= 1,
       "limits of a beam are at least 1");
-  const std::size_t number = shard_of(start.code);
-  Shard& shard = shards_[number];
-  shard.class_of.emplace(start.code, 0);
-  shard.classes.push_back({.code = start.code, .nodes = {0}});
-  shard.nodes.push_back(
-      {start.scars, 0, {}, {}, 0, static_cast<std::uint16_t>(start.scars.size())});
-  frontier_.push_back({static_cast<std::uint32_t>(number), 0});
+  const FrontId id = store_.add({start, {}, {}, 0}, FrontOrigin::grown);
+  store_.set_mark(id, FrontMark::chosen);
+  frontier_.push_back(id);
 }
 
 std::size_t Beam::expand_level() {
   ++level_;
-  for (Shard& shard : shards_) shard.level_begin = shard.nodes.size();
   const std::vector<FrontId> parents = std::exchange(frontier_, {});
+  store_.begin_pass();
   constexpr std::size_t kBatch = kParentsPerChunk * kChunksPerBatch;
   for (std::size_t begin = 0; begin < parents.size(); begin += kBatch)
     expand_batch(std::span(parents).subspan(begin, std::min(kBatch, parents.size() - begin)));
-  collect_frontier();
+  choose_frontier();
   return frontier_.size();
 }
 
+void Beam::rewind() {
+  level_ = 0;
+  for (const FrontId id : frontier_) store_.set_mark(id, FrontMark::waiting);
+  frontier_.clear();
+}
+
 void Beam::expand_batch(std::span<const FrontId> batch) {
-  Chunks chunks((batch.size() + kParentsPerChunk - 1) / kParentsPerChunk);
+  std::vector<Chunk> chunks((batch.size() + kParentsPerChunk - 1) / kParentsPerChunk);
+  const auto level = static_cast<std::uint16_t>(level_);
   parallel::parallel_for(options_.threads, chunks.size(), [&](std::size_t c) {
     const std::size_t begin = c * kParentsPerChunk;
     const std::size_t end = std::min(batch.size(), begin + kParentsPerChunk);
     for (const FrontId parent : batch.subspan(begin, end - begin)) {
       const Front front = front_of(state(parent));
       for_each_glueable(front, options_.max_quads, [&](Flip flip, const Prism& prism) {
-        const State child = canonical_state(glued(front, flip, prism).front).state;
-        chunks[c].push_back({child, parent, flip, static_cast<std::uint16_t>(child.scars.size())});
+        chunks[c].offers.push_back(
+            {canonical_state(glued(front, flip, prism).front).state, parent, flip, level});
       });
     }
+    chunks[c].deal();
   });
-  parallel::parallel_for(options_.threads, kShards, [&](std::size_t s) {
-    merge(shards_[s], static_cast<std::uint32_t>(s), chunks);
+  for (const FrontId parent : batch) store_.set_mark(parent, FrontMark::expanded);
+  parallel::parallel_for(options_.threads, FrontStore::kShards, [&](std::size_t shard) {
+    for (const Chunk& chunk : chunks)
+      for (std::uint32_t i = chunk.begin[shard]; i < chunk.begin[shard + 1]; ++i)
+        store_.offer(shard, chunk.offers[chunk.order[i]]);
   });
-  candidates_ = 0;
-  for (const Shard& shard : shards_) {
-    candidates_ += shard.candidates;
-    truncated_ = truncated_ || shard.truncated;
-  }
-  if (fronts() > options_.max_fronts)
-    throw core::ResourceFailure("the search needs more than " +
-                                std::to_string(options_.max_fronts) +
-                                " fronts in memory; lower the fronts per class or raise the limit");
+  for (const Chunk& chunk : chunks) candidates_ += chunk.offers.size();
 }
 
-void Beam::merge(Shard& shard, std::uint32_t number, const Chunks& chunks) {
-  for (const auto& chunk : chunks)
-    for (const Candidate& candidate : chunk)
-      if (shard_of(candidate.state.code) == number) {
-        ++shard.candidates;
-        admit(shard, candidate);
-      }
-}
-
-void Beam::admit(Shard& shard, const Candidate& candidate) {
-  const auto [place, is_new] = shard.class_of.try_emplace(
-      candidate.state.code, static_cast<std::uint32_t>(shard.classes.size()));
-  if (is_new) shard.classes.push_back({.code = candidate.state.code, .nodes = {}});
-  Shard::Class& own = shard.classes[place->second];
-  if (own.level != level_) {
-    own.level = level_;
-    own.level_begin = static_cast<std::uint32_t>(own.nodes.size());
-  }
-  const Scars& scars = candidate.state.scars;
-  const auto scars_at = [&](std::uint32_t node) -> const Scars& { return shard.nodes[node].scars; };
-  for (const std::uint32_t node : own.nodes)
-    if (options_.use_dominance ? scars_at(node).is_subset_of(scars) : scars_at(node) == scars)
-      return;
-
-  // Of the same level: drop what the candidate dominates, then the worst if there are too many.
-  // Their slots in `nodes` are used again, so that memory follows what is kept.
-  const auto rank = [&](const Scars& s, std::uint16_t size) {
-    return std::pair(size, s.hash(options_.seed));
+/// Chooses among the waiting states of this level: by their place in the order of preference of
+/// their class, then by the number of scars. Every class gets its turn before any gets another.
+void Beam::choose_frontier() {
+  struct Waiting {
+    std::uint32_t turn;
+    std::uint64_t rank;
+    FrontId id;
   };
-  std::optional<std::uint32_t> slot;
-  for (std::size_t i = own.level_begin; options_.use_dominance && i < own.nodes.size();) {
-    if (!scars.is_subset_of(scars_at(own.nodes[i]))) {
-      ++i;
-      continue;
+  std::vector<Waiting> waiting;
+  for (std::size_t shard = 0; shard < FrontStore::kShards; ++shard) {
+    const auto families = store_.families(shard);
+    for (std::size_t f = 0; f < families.size(); ++f) {
+      const auto& fronts = families[f].fronts;
+      const std::size_t first = waiting.size();
+      for (std::uint32_t place = 0; place < fronts.size(); ++place)
+        if (fronts[place].level == level_ && fronts[place].mark == FrontMark::waiting)
+          waiting.push_back(
+              {0, store_.rank(fronts[place]), {FrontStore::number_of(shard, f), place}});
+      std::sort(waiting.begin() + static_cast<std::ptrdiff_t>(first), waiting.end(),
+                [](const Waiting& a, const Waiting& b) {
+                  return std::tie(a.rank, a.id) < std::tie(b.rank, b.id);
+                });
+      for (std::size_t i = first; i < waiting.size(); ++i)
+        waiting[i].turn = static_cast<std::uint32_t>(i - first);
     }
-    if (slot)
-      shard.nodes[own.nodes[i]].level = 0;  // dead: level 0 is the start alone
-    else
-      slot = own.nodes[i];
-    own.nodes.erase(own.nodes.begin() + static_cast<std::ptrdiff_t>(i));
   }
-  if (own.nodes.size() - own.level_begin >= options_.fronts_per_class) {
-    shard.truncated = true;
-    const auto rank_at = [&](std::uint32_t node) {
-      return rank(shard.nodes[node].scars, shard.nodes[node].size);
-    };
-    const auto worst =
-        std::max_element(own.nodes.begin() + own.level_begin, own.nodes.end(),
-                         [&](std::uint32_t a, std::uint32_t b) { return rank_at(a) < rank_at(b); });
-    if (!(rank(scars, candidate.size) < rank_at(*worst))) return;
-    slot = *worst;
-    own.nodes.erase(worst);
+  if (!waiting.empty()) last_level_ = std::max(last_level_, level_);
+  if (waiting.size() > options_.fronts_per_level) {
+    store_.set_truncated();
+    const auto keep = waiting.begin() + static_cast<std::ptrdiff_t>(options_.fronts_per_level);
+    std::nth_element(waiting.begin(), keep, waiting.end(), [](const Waiting& a, const Waiting& b) {
+      return std::tie(a.turn, a.rank, a.id) < std::tie(b.turn, b.rank, b.id);
+    });
+    waiting.erase(keep, waiting.end());
   }
-  const Shard::Node node{scars,
-                         place->second,
-                         candidate.parent,
-                         candidate.flip,
-                         static_cast<std::uint16_t>(level_),
-                         candidate.size};
-  if (slot) {
-    shard.nodes[*slot] = node;
-  } else {
-    slot = static_cast<std::uint32_t>(shard.nodes.size());
-    shard.nodes.push_back(node);
+  for (const Waiting& w : waiting) store_.set_mark(w.id, FrontMark::chosen);
+  waiting = {};
+  store_.end_pass();
+  collect_chosen();
+}
+
+void Beam::collect_chosen() {
+  for (std::size_t shard = 0; shard < FrontStore::kShards; ++shard) {
+    const auto families = store_.families(shard);
+    for (std::size_t f = 0; f < families.size(); ++f)
+      for (std::uint32_t place = 0; place < families[f].fronts.size(); ++place)
+        if (families[f].fronts[place].mark == FrontMark::chosen)
+          frontier_.push_back({FrontStore::number_of(shard, f), place});
   }
-  own.nodes.push_back(*slot);
 }
-
-void Beam::collect_frontier() {
-  frontier_.clear();
-  for (std::size_t s = 0; s < kShards; ++s)
-    for (std::size_t i = shards_[s].level_begin; i < shards_[s].nodes.size(); ++i)
-      if (shards_[s].nodes[i].level == level_)
-        frontier_.push_back({static_cast<std::uint32_t>(s), static_cast<std::uint32_t>(i)});
-  if (frontier_.size() <= options_.fronts_per_level) return;
-  truncated_ = true;
-  const auto rank = [&](FrontId id) {
-    const Shard::Node& node = shards_[id.shard].nodes[id.index];
-    return std::tuple(node.size, node.scars.hash(options_.seed + level_of(id)), id);
-  };
-  const auto keep = frontier_.begin() + static_cast<std::ptrdiff_t>(options_.fronts_per_level);
-  std::nth_element(frontier_.begin(), keep, frontier_.end(),
-                   [&](FrontId a, FrontId b) { return rank(a) < rank(b); });
-  frontier_.erase(keep, frontier_.end());
-  std::sort(frontier_.begin(), frontier_.end());
-}
-
-std::size_t Beam::fronts() const noexcept {
-  return std::accumulate(shards_.begin(), shards_.end(), std::size_t{0},
-                         [](std::size_t sum, const Shard& s) { return sum + s.nodes.size(); });
-}
-
-std::size_t Beam::classes() const noexcept {
-  return std::accumulate(shards_.begin(), shards_.end(), std::size_t{0},
-                         [](std::size_t sum, const Shard& s) { return sum + s.classes.size(); });
-}
-
-State Beam::state(FrontId id) const {
-  const Shard& shard = shards_[id.shard];
-  const Shard::Node& node = shard.nodes[id.index];
-  return {shard.classes[node.class_index].code, node.scars};
-}
-
-int Beam::level_of(FrontId id) const noexcept { return shards_[id.shard].nodes[id.index].level; }
 
 std::vector<FrontRecord> Beam::fronts_of(const canon::Code& code) const {
   std::vector<FrontRecord> result;
-  const std::size_t number = shard_of(code);
-  const Shard& shard = shards_[number];
-  const auto place = shard.class_of.find(code);
-  if (place == shard.class_of.end()) return result;
-  for (const std::uint32_t index : shard.classes[place->second].nodes)
-    result.push_back({{static_cast<std::uint32_t>(number), index},
-                      shard.nodes[index].level,
-                      shard.nodes[index].scars});
+  const auto number = store_.find(code);
+  if (!number) return result;
+  const auto& fronts = store_.family(*number).fronts;
+  for (std::uint32_t place = 0; place < fronts.size(); ++place)
+    result.push_back({{*number, place}, fronts[place].level, fronts[place].scars});
+  std::stable_sort(result.begin(), result.end(),
+                   [](const FrontRecord& a, const FrontRecord& b) { return a.level < b.level; });
   return result;
 }
 
 std::optional<int> Beam::first_level(const canon::Code& code) const {
-  const Shard& shard = shards_[shard_of(code)];
-  const auto place = shard.class_of.find(code);
-  if (place == shard.class_of.end()) return std::nullopt;
-  const auto& nodes = shard.classes[place->second].nodes;
-  if (nodes.empty()) return std::nullopt;
-  return shard.nodes[nodes.front()].level;
+  const auto number = store_.find(code);
+  if (!number) return std::nullopt;
+  std::optional<int> first;
+  for (const StoredFront& front : store_.family(*number).fronts)
+    if (!first || front.level < *first) first = front.level;
+  return first;
 }
 
 std::vector<canon::Code> Beam::codes() const {
   std::vector<canon::Code> result;
-  for (const Shard& shard : shards_)
-    for (const auto& own : shard.classes)
-      if (!own.nodes.empty()) result.push_back(own.code);
+  for (std::size_t shard = 0; shard < FrontStore::kShards; ++shard)
+    for (const auto& own : store_.families(shard)) result.push_back(own.code);
   std::sort(result.begin(), result.end());
   return result;
+}
+
+FrontId Beam::add(FrontId from, Flip flip, FrontOrigin origin, canon::Labelling& label) {
+  const Front front = front_of(state(from));
+  const auto prism = prism_of(front.boundary, flip);
+  core::expects(prism && may_glue(front, flip, *prism), "the hexahedron may be glued on");
+  const CanonicalState made = canonical_state(glued(front, flip, *prism).front);
+  label = made.label;
+  const int level = level_of(from) + 1;
+  last_level_ = std::max(last_level_, level);
+  return store_.add({made.state, from, flip, static_cast<std::uint16_t>(level)}, origin);
 }
 
 std::vector<Beam::Step> Beam::path_to(FrontId id) const {
   std::vector<Step> path;
   for (FrontId at = id; level_of(at) > 0;) {
-    const Shard::Node& node = shards_[at.shard].nodes[at.index];
-    path.push_back({node.parent, node.flip});
-    at = node.parent;
+    const StoredFront& front = store_.at(at);
+    path.push_back({front.parent, front.flip});
+    at = front.parent;
   }
   std::reverse(path.begin(), path.end());
   return path;

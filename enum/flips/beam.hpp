@@ -4,27 +4,28 @@
 /// for each canonical boundary.
 ///
 /// A state is a front up to isomorphism: a canonical boundary and its scars (scars.hpp). Level
-/// h holds states reached by h gluings. Within a class a state whose scars contain those of
-/// another one, of the same or a lower level, is dropped: whatever may be glued on it may be
-/// glued on the other (pruning `dominance`, docs/theory/proofs/front.md). Of the rest of one
-/// level at most `fronts_per_class` with the fewest scars are kept, and at most `fronts_per_level`
-/// of those are expanded. If neither limit was ever hit, the search was exhaustive: it saw every
-/// boundary that a shelling can reach while its boundaries stay within max_quads, at its least
-/// level.
+/// h holds states reached by h gluings. Dominated states are dropped (front_store.hpp). Of the
+/// rest of one level at most `fronts_per_class` of a class are kept, those with the fewest scars,
+/// and at most `fronts_per_level` are expanded: the first ones of all classes, then the second
+/// ones, and so on. If neither limit was ever hit, the search was exhaustive: it saw every boundary
+/// that a shelling can reach while its boundaries stay within max_quads, at its least level.
 ///
-/// Sources. The flips: Verhetsel, Pellerin, Remacle (ACM TOG 38(4), 2019). Scars and dominance
-/// are of this project.
+/// A search may be swept again: after rewind(), states that came by add() since are expanded
+/// level by level, and what follows from them.
+///
+/// Sources. The flips: Verhetsel, Pellerin, Remacle (ACM TOG 38(4), 2019). Scars, dominance and the
+/// order of expansion are of this project.
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
-#include <unordered_map>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "enum/complex/hex_complex.hpp"
-#include "enum/flips/scars.hpp"
+#include "enum/flips/front_store.hpp"
 
 namespace hexatlas::flips {
 
@@ -32,17 +33,10 @@ struct BeamOptions {
   int max_quads = 22;                 ///< of any boundary, at most kMaxSearchQuads
   std::size_t fronts_per_class = 20;  ///< per level
   std::size_t fronts_per_level = 200'000;
-  std::size_t max_fronts = 60'000'000;  ///< in memory, about 90 bytes each
+  std::size_t max_fronts = 60'000'000;  ///< in memory, about 80 bytes each; then no more come
   std::uint64_t seed = 1;               ///< breaks ties among equally many scars
   int threads = 1;                      ///< does not change the result
   bool use_dominance = true;            ///< off only to test the pruning
-};
-
-/// A state in a beam. Stable until the beam is destroyed.
-struct FrontId {
-  std::uint32_t shard = 0;
-  std::uint32_t index = 0;
-  friend auto operator<=>(FrontId, FrontId) = default;
 };
 
 /// What a beam knows of one state.
@@ -56,33 +50,43 @@ class Beam {
  public:
   /// Level 0 is the start alone. Requires options within their ranges.
   Beam(const State& start, const BeamOptions& options);
-  Beam(const Beam&) = delete;
-  Beam& operator=(const Beam&) = delete;
-  Beam(Beam&&) noexcept;
-  Beam& operator=(Beam&&) noexcept;
-  ~Beam();
 
-  /// Expands the last level. Returns the number of states of the new one; 0: finished.
-  /// Throws ResourceFailure when max_fronts would be exceeded.
+  /// Expands the states of the last level that were chosen. Returns how many of the next one are
+  /// chosen, all of them or those that the limit admits; 0: nothing more follows from this sweep.
   std::size_t expand_level();
+  /// Back to level 0, for another sweep.
+  void rewind();
 
   [[nodiscard]] int level() const noexcept { return level_; }
+  /// The greatest level that has a state.
+  [[nodiscard]] int last_level() const noexcept { return last_level_; }
   /// The states of the last level that are to be expanded.
   [[nodiscard]] std::span<const FrontId> frontier() const noexcept { return frontier_; }
   /// Whether no limit was hit: with an empty frontier the answers are then theorems.
-  [[nodiscard]] bool is_exhaustive() const noexcept { return !truncated_; }
-  [[nodiscard]] std::size_t fronts() const noexcept;
-  [[nodiscard]] std::size_t classes() const noexcept;
+  [[nodiscard]] bool is_exhaustive() const noexcept { return !store_.is_truncated(); }
+  [[nodiscard]] std::size_t fronts() const noexcept { return store_.fronts(); }
+  [[nodiscard]] std::size_t classes() const noexcept { return store_.families(); }
   /// Hexahedra tried since the start: the signature of the run.
   [[nodiscard]] std::uint64_t candidates() const noexcept { return candidates_; }
+  [[nodiscard]] const BeamOptions& options() const noexcept { return options_; }
 
-  [[nodiscard]] State state(FrontId id) const;
-  [[nodiscard]] int level_of(FrontId id) const noexcept;
+  [[nodiscard]] State state(FrontId id) const {
+    return {store_.family(id.family).code, store_.at(id).scars};
+  }
+  [[nodiscard]] FrontOrigin origin_of(FrontId id) const noexcept { return store_.at(id).origin; }
+  [[nodiscard]] int level_of(FrontId id) const noexcept { return store_.at(id).level; }
   /// The states of a class in order of level, empty if it was not reached.
   [[nodiscard]] std::vector<FrontRecord> fronts_of(const canon::Code& code) const;
   [[nodiscard]] std::optional<int> first_level(const canon::Code& code) const;
   /// All classes reached, in increasing order.
   [[nodiscard]] std::vector<canon::Code> codes() const;
+  [[nodiscard]] const FrontStore& store() const noexcept { return store_; }
+
+  /// Glues a hexahedron on a state, whatever the limits. Returns the state made, or one that was
+  /// known and dominates it: one with the same boundary, a subset of its scars and no greater
+  /// level. Requires that the flip may be made. `label` receives the canonical label of each vertex
+  /// of flipped(front_of(state(from))).
+  FrontId add(FrontId from, Flip flip, FrontOrigin origin, canon::Labelling& label);
 
   struct Step {
     FrontId from;
@@ -92,22 +96,29 @@ class Beam {
   /// front_of(state(from)).
   [[nodiscard]] std::vector<Step> path_to(FrontId id) const;
 
+  /// All that a search needs to go on as if it had never stopped, about 12 bytes per state.
+  [[nodiscard]] std::string to_bytes() const;
+  /// The search that to_bytes() described, from the same start. Every state is made again by its
+  /// flip, so that no damage of the bytes can give a wrong one. Throws InvalidInput, with `name`
+  /// for the file, if the bytes are damaged or of a search with other options; the number of
+  /// threads and max_fronts may be others.
+  [[nodiscard]] static Beam from_bytes(std::string_view bytes, const State& start,
+                                       const BeamOptions& options, const std::string& name);
+
  private:
-  struct Candidate;
-  struct Shard;
-  using Chunks = std::vector<std::vector<Candidate>>;
+  struct Chunk;
 
   void expand_batch(std::span<const FrontId> batch);
-  void merge(Shard& shard, std::uint32_t number, const Chunks& chunks);
-  void admit(Shard& shard, const Candidate& candidate);
-  void collect_frontier();
+  void choose_frontier();
+  void collect_chosen();
+  void restore_level(std::span<const FrontId> ids, const std::string& name);
 
   BeamOptions options_;
-  std::vector<Shard> shards_;
+  FrontStore store_;
   std::vector<FrontId> frontier_;
   std::uint64_t candidates_ = 0;
   int level_ = 0;
-  bool truncated_ = false;
+  int last_level_ = 0;
 };
 
 /// On which side of the front the hexahedra of a beam lie.

@@ -41,7 +41,7 @@ std::uint64_t Scars::hash(std::uint64_t seed) const noexcept {
 }
 
 CanonicalState canonical_state(const Front& front) {
-  core::expects(front.boundary.quads() <= kMaxSearchQuads, "a state has at most 24 quads");
+  core::expects(front.boundary.quads() <= kMaxSearchQuads, "a state has at most 26 quads");
   canon::CanonicalFlags flags;
   canon::canonical_flags(front.boundary, flags);
   const Relation quads = relation_of_quads(front.boundary);

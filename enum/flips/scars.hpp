@@ -14,9 +14,9 @@
 
 namespace hexatlas::flips {
 
-/// Boundaries in searches have at most 24 quads, so that the pairs of their 26 vertices fit
+/// Boundaries in searches have at most 26 quads, so that the pairs of their 28 vertices fit
 /// into six words.
-inline constexpr int kMaxSearchQuads = 24;
+inline constexpr int kMaxSearchQuads = 26;
 
 class Scars {
  public:

@@ -67,6 +67,8 @@ int available_threads() noexcept {
   return std::max(1, CPU_COUNT(&set));
 }
 
+int threads_or_all(int threads) noexcept { return threads == 0 ? available_threads() : threads; }
+
 void parallel_for(int threads, std::size_t count, const std::function<void(std::size_t)>& body) {
   core::expects(threads >= 1, "at least one thread");
   FirstException first;

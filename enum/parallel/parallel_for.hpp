@@ -11,6 +11,9 @@ namespace hexatlas::parallel {
 /// Number of processors this process may use; at least 1.
 [[nodiscard]] int available_threads() noexcept;
 
+/// `threads`, or available_threads() if it is 0: what a caller means who leaves the number open.
+[[nodiscard]] int threads_or_all(int threads) noexcept;
+
 /// Calls body(i) once for each i in [0, count), on at most `threads` threads, in any order.
 /// Returns when all calls have returned. If calls throw, the exception of the smallest such
 /// i is thrown again and every other i is still called. With threads == 1 the calls are made

@@ -1,5 +1,6 @@
 hexatlas_layer(tables/build
-  HEADERS catalogues.hpp generate.hpp named.hpp realize.hpp
-  SOURCES catalogues.cpp generate.cpp realize.cpp
-  USES enum/core enum/parallel enum/complex enum/canon enum/flips enum/balls realize/certificate
-    realize/solve tables/format)
+  HEADERS catalogues.hpp census.hpp named.hpp realize.hpp search.hpp
+  SOURCES catalogues.cpp census.cpp realize.cpp search.cpp
+  USES enum/core enum/parallel enum/complex enum/canon enum/flips enum/quads enum/balls realize/certificate
+    realize/solve tables/format
+  THIRD_PARTY PkgConfig::sqlite)

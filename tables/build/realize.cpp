@@ -10,12 +10,8 @@
 namespace hexatlas::build {
 namespace {
 
+using complex::set_of;
 using complex::VertexSet;
-
-VertexSet set_of(const complex::OrientedTriangle& triangle) {
-  return static_cast<VertexSet>(complex::bit_of(triangle[0]) | complex::bit_of(triangle[1]) |
-                                complex::bit_of(triangle[2]));
-}
 
 /// The boundary of the triangulation, with the orientation of the cell.
 complex::CutSurface boundary_in(const complex::Cell& cell,

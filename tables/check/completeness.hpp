@@ -66,13 +66,10 @@ struct CompletenessVerdict {
                                                      const std::string& file,
                                                      std::size_t first_line = 1);
 
-/// The same for a catalogue and a certificate as files (docs/formats/completeness.md); `-` is
-/// standard input. The catalogue must be one of the hexahedron, all its classes are taken; that
-/// it obeys the other laws of its format is judged by check_catalogue. Throws Malformed.
-[[nodiscard]] CompletenessVerdict check_completeness_files(const std::string& catalogue,
-                                                           const std::string& certificate);
-
-/// The same for bytes in memory, with the names by which messages call them.
+/// The same for the bytes of a catalogue and a certificate (docs/formats/completeness.md), with the
+/// names by which messages call them. The catalogue must be one of the hexahedron, all its classes
+/// are taken; that it obeys the other laws of its format is judged by check_catalogue. Throws
+/// Malformed.
 [[nodiscard]] CompletenessVerdict check_completeness_bytes(std::string catalogue,
                                                            const std::string& catalogue_name,
                                                            std::string certificate,

@@ -6,7 +6,6 @@
 #include "tables/check/catalogue_read.hpp"
 #include "tables/check/completeness.hpp"
 #include "tables/check/completeness_rules.hpp"
-#include "tables/check/file_bytes.hpp"
 #include "tables/check/malformed.hpp"
 #include "tables/check/scanner.hpp"
 #include "tables/check/text_lines.hpp"
@@ -97,12 +96,6 @@ bool are_cube_facets(const std::vector<CellFacet>& facets) {
 }
 
 }  // namespace
-
-CompletenessVerdict check_completeness_files(const std::string& catalogue,
-                                             const std::string& certificate) {
-  return check_completeness_bytes(bytes_of_file(catalogue), name_of_file(catalogue),
-                                  bytes_of_file(certificate), name_of_file(certificate));
-}
 
 CompletenessVerdict check_completeness_bytes(std::string catalogue,
                                              const std::string& catalogue_name,

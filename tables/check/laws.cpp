@@ -1,7 +1,6 @@
 #include "tables/check/laws.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "tables/check/disjoint_sets.hpp"
 
@@ -149,27 +148,37 @@ Finding check_boundary_sphere(const Incidence& incidence) {
     return Failure{Law::kBoundarySphere, "the boundary " + reason};
   };
   if (quads.empty()) return fail("is empty");
-  std::map<std::array<std::uint32_t, 2>, std::vector<std::size_t>> quads_at_edge;
+  struct EdgeOfQuad {
+    std::array<std::uint32_t, 2> edge;
+    std::size_t quad;
+    auto operator<=>(const EdgeOfQuad&) const = default;
+  };
+  std::vector<EdgeOfQuad> sides;
+  sides.reserve(4 * quads.size());
   for (std::size_t q = 0; q < quads.size(); ++q) {
     for (std::size_t i = 0; i < 4; ++i) {
       const auto [low, high] = std::minmax(quads[q][i], quads[q][(i + 1) % 4]);
-      quads_at_edge[{low, high}].push_back(q);
+      sides.push_back({{low, high}, q});
     }
   }
+  std::sort(sides.begin(), sides.end());
   DisjointSets components(quads.size());
-  for (const auto& [edge, at] : quads_at_edge) {
-    if (at.size() != 2) {
-      return fail("has edge " + listed(edge) + " in " + std::to_string(at.size()) + " quads");
+  std::size_t edges = 0;
+  for (std::size_t i = 0, end = 0; i < sides.size(); i = end, ++edges) {
+    while (end < sides.size() && sides[end].edge == sides[i].edge) ++end;
+    if (end - i != 2) {
+      return fail("has edge " + listed(sides[i].edge) + " in " + std::to_string(end - i) +
+                  " quads");
     }
-    components.unite(at[0], at[1]);
+    components.unite(sides[i].quad, sides[i + 1].quad);
   }
   if (components.sets() != 1) {
     return fail("has " + std::to_string(components.sets()) + " components");
   }
   const auto vertices =
       std::count(incidence.on_boundary.begin(), incidence.on_boundary.end(), true);
-  const auto euler = vertices - static_cast<std::ptrdiff_t>(quads_at_edge.size()) +
-                     static_cast<std::ptrdiff_t>(quads.size());
+  const auto euler =
+      vertices - static_cast<std::ptrdiff_t>(edges) + static_cast<std::ptrdiff_t>(quads.size());
   if (euler != 2) return fail("has Euler characteristic " + std::to_string(euler));
   return std::nullopt;
 }

@@ -70,21 +70,23 @@ class Replay {
                        std::vector<std::size_t>& leaving) const {
     const std::uint32_t from = bottom[i];
     const std::uint32_t to = bottom[(i + 1) % 4];
-    const std::string name = "edge " + listed(std::array{from, to});
+    const auto refusal = [&](const char* why) {
+      return "edge " + listed(std::array{from, to}) + " has " + why;
+    };
     std::optional<std::size_t> found;
     Quad across{};
     for (std::size_t q = 0; q < quads_.size(); ++q) {
       for (std::size_t k = 0; k < 4; ++k) {
         if (quads_[q][k] != to || quads_[q][(k + 1) % 4] != from) continue;
-        if (found) return name + " has more than one quad across";
+        if (found) return refusal("more than one quad across");
         found = q;
         across = quads_[q];
         std::rotate(across.begin(), across.begin() + static_cast<std::ptrdiff_t>(k), across.end());
       }
     }
-    if (!found) return name + " has no quad across";
+    if (!found) return refusal("no quad across");
     if (std::find(leaving.begin(), leaving.end(), *found) != leaving.end()) {
-      return name + " has a quad across that leaves already";
+      return refusal("a quad across that leaves already");
     }
     for (const auto& [corner, vertex] :
          {std::pair(i, across[2]), std::pair((i + 1) % 4, across[3])}) {

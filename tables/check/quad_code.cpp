@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "tables/check/disjoint_sets.hpp"
@@ -187,27 +186,66 @@ void order_ends(Ends& ends) {
   }
 }
 
-std::vector<std::vector<bool>> adjacency(std::span<const Quad> quads) {
-  std::vector<std::vector<bool>> adjacent(quads.size() + 2,
-                                          std::vector<bool>(quads.size() + 2, false));
-  for (const Quad& quad : quads) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      adjacent[quad[i]][quad[(i + 1) % 4]] = true;
-      adjacent[quad[(i + 1) % 4]][quad[i]] = true;
+/// The graph, and a search in it that leaves out one vertex.
+class Graph {
+ public:
+  explicit Graph(std::span<const Quad> quads) : neighbours_(quads.size() + 2) {
+    for (const Quad& quad : quads) {
+      for (std::size_t i = 0; i < 4; ++i) {  // the quad across the edge adds the other direction
+        neighbours_[quad[i]].push_back(quad[(i + 1) % 4]);
+      }
     }
   }
-  return adjacent;
-}
+
+  /// Whether the rest is connected without `absent`, and stays so without any further vertex.
+  bool stays_two_connected_without(std::uint32_t absent) {
+    depth_.assign(neighbours_.size(), 0);
+    absent_ = absent;
+    reached_ = 0;
+    cut_ = false;
+    (void)search(absent == 0 ? 1 : 0, 1);
+    return !cut_ && reached_ + 1 == neighbours_.size();
+  }
+
+ private:
+  /// Depth first from `at`; the least depth of a neighbour of what is found. A vertex separates
+  /// what is found from one of its children if that reaches no higher than the vertex itself; the
+  /// first vertex, which nothing lies above, separates if it has two children.
+  std::size_t search(std::uint32_t at, std::size_t depth) {
+    depth_[at] = depth;
+    ++reached_;
+    std::size_t least = depth;
+    std::size_t children = 0;
+    for (const std::uint32_t next : neighbours_[at]) {
+      if (next == absent_) continue;
+      if (depth_[next] != 0) {
+        least = std::min(least, depth_[next]);
+        continue;
+      }
+      const std::size_t reach = search(next, depth + 1);
+      least = std::min(least, reach);
+      cut_ = cut_ || (depth == 1 ? ++children > 1 : reach >= depth);
+    }
+    return least;
+  }
+
+  std::vector<std::vector<std::uint32_t>> neighbours_;
+  std::vector<std::size_t> depth_;  ///< from 1; 0: not found yet
+  std::uint32_t absent_ = kNone;
+  std::size_t reached_ = 0;
+  bool cut_ = false;
+};
 
 bool shares_at_most_an_edge(const Quad& p, const Quad& q) {
-  std::vector<std::pair<unsigned, unsigned>> shared;
+  std::array<std::pair<unsigned, unsigned>, 16> shared;
+  std::size_t count = 0;
   for (unsigned i = 0; i < 4; ++i) {
     for (unsigned j = 0; j < 4; ++j) {
-      if (p[i] == q[j]) shared.emplace_back(i, j);
+      if (p[i] == q[j]) shared[count++] = {i, j};
     }
   }
-  if (shared.size() < 2) return true;
-  return shared.size() == 2 && (shared[0].first + shared[1].first) % 2 == 1 &&
+  if (count < 2) return true;
+  return count == 2 && (shared[0].first + shared[1].first) % 2 == 1 &&
          (shared[0].second + shared[1].second) % 2 == 1;
 }
 
@@ -270,18 +308,9 @@ std::optional<std::vector<Quad>> decode_word(std::span<const std::uint8_t> word,
 }
 
 bool is_three_connected_by_removal(std::span<const Quad> quads) {
-  const auto adjacent = adjacency(quads);
-  const std::size_t count = adjacent.size();
-  for (std::size_t a = 0; a < count; ++a) {
-    for (std::size_t b = 0; b < a; ++b) {
-      DisjointSets components(count);
-      for (std::size_t u = 0; u < count; ++u) {
-        for (std::size_t v = 0; v < u; ++v) {
-          if (adjacent[u][v] && u != a && u != b && v != a && v != b) components.unite(u, v);
-        }
-      }
-      if (components.sets() != 3) return false;  // a, b, and the rest
-    }
+  Graph graph(quads);
+  for (std::uint32_t v = 0; v < quads.size() + 2; ++v) {
+    if (!graph.stays_two_connected_without(v)) return false;
   }
   return true;
 }

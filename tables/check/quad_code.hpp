@@ -3,8 +3,7 @@
 /// The canonical code of a quadrangulation (docs/formats/code.md), from its definition and as
 /// plainly as possible: all flags are tried.
 ///
-/// Preconditions are named below. Errors: none; refusals are values. Cost: O(n^2) for the code,
-/// O(n^3) for the test of connectivity.
+/// Preconditions are named below. Errors: none; refusals are values. Cost: O(n^2) each.
 
 #include <cstdint>
 #include <optional>
@@ -36,7 +35,9 @@ struct CanonicalCode {
 [[nodiscard]] std::optional<std::vector<Quad>> decode_word(std::span<const std::uint8_t> word,
                                                            std::string& reason);
 
-/// Whether the graph stays connected when any two vertices are removed.
+/// Whether the graph stays connected when any two vertices are removed. Requires quads that are
+/// coherently oriented, each edge in two of them, on the vertices 0 .. n + 1; recursion as deep as
+/// n.
 [[nodiscard]] bool is_three_connected_by_removal(std::span<const Quad> quads);
 /// Whether any two quads share nothing, one vertex, or the two ends of an edge of both. For a
 /// sphere of quads this is equivalent (facets of a 3-connected planar graph meet in a face).

@@ -1,16 +1,15 @@
 #include "tables/check/table_check.hpp"
 
-#include <zstd.h>
-
 #include <algorithm>
-#include <memory>
-#include <new>
+#include <optional>
 
 #include "tables/check/file_bytes.hpp"
 #include "tables/check/judge_cells.hpp"
 #include "tables/check/payload.hpp"
 #include "tables/check/quad_code.hpp"
+#include "tables/check/rooted_count.hpp"
 #include "tables/check/table_layout.hpp"
+#include "tables/check/zstd_frame.hpp"
 
 namespace hexatlas::check {
 
@@ -18,32 +17,20 @@ namespace {
 
 constexpr std::uint64_t kLengthBytes = 4;
 
-struct FreeStream {
-  void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
-};
-
-/// Exactly one frame of `unpacked` bytes. The memory grows with what is really there.
-bool unpack(std::string_view stored, std::uint64_t unpacked, std::string& bytes) {
-  if (stored.size() < 4 || number_at(stored, 0, 4) != ZSTD_MAGICNUMBER ||
-      ZSTD_findFrameCompressedSize(stored.data(), stored.size()) != stored.size()) {
-    return false;
-  }
-  const std::unique_ptr<ZSTD_DCtx, FreeStream> context(ZSTD_createDCtx());
-  if (!context) throw std::bad_alloc();
-  std::vector<char> buffer(ZSTD_DStreamOutSize());
-  ZSTD_inBuffer in{stored.data(), stored.size(), 0};
-  for (std::size_t left = 1; left != 0;) {
-    ZSTD_outBuffer out{buffer.data(), buffer.size(), 0};
-    left = ZSTD_decompressStream(context.get(), &out, &in);
-    if (ZSTD_isError(left) != 0 || out.pos > unpacked - bytes.size()) return false;
-    bytes.append(buffer.data(), out.pos);
-    if (left != 0 && out.pos == 0 && in.pos == in.size) return false;
-  }
-  return in.pos == in.size && bytes.size() == unpacked;
+/// By number of quads.
+const std::vector<std::uint64_t>& rooted_all() {
+  static const std::vector<std::uint64_t> kCounts = rooted_three_connected(kMostCountedQuads);
+  return kCounts;
 }
 
-/// Decodes a key into its canonical list of quads; returns what is wrong with it, or nothing.
-std::string decode_key(std::string_view key, std::size_t quads, std::vector<Quad>& boundary) {
+/// A key decoded.
+struct Boundary {
+  std::vector<Quad> quads;  ///< the canonical list
+  unsigned automorphisms = 0;
+};
+
+/// Returns what is wrong with a key, or nothing.
+std::string decode_key(std::string_view key, std::size_t quads, Boundary& boundary) {
   const std::optional<CodeWord> word = word_of_key(key, quads);
   if (!word) return "the unused half byte of the key is not zero";
   std::string reason;
@@ -55,7 +42,7 @@ std::string decode_key(std::string_view key, std::size_t quads, std::vector<Quad
   if (!is_three_connected_by_removal(*decoded) || !is_three_connected_by_quads(*decoded)) {
     return "the quadrangulation is not 3-connected";
   }
-  boundary = *decoded;
+  boundary = {*decoded, code->automorphisms};
   return {};
 }
 
@@ -74,7 +61,9 @@ class TableJudge {
   TableVerdict judge() {
     verdict_.bytes = bytes_.size();
     verdict_.reason = read_layout(bytes_, layout_);
+    verdict_.claimed_through = layout_.complete_through;
     if (verdict_.reason.empty()) verdict_.reason = judge_entries();
+    if (verdict_.reason.empty()) verdict_.reason = judge_completeness();
     verdict_.entries = layout_.entries;
     verdict_.names = layout_.names;
     verdict_.accepted = verdict_.reason.empty();
@@ -84,7 +73,10 @@ class TableJudge {
  private:
   std::string judge_entries() {
     for (const TableSection& section : layout_.sections) {
-      verdict_.by_quads.push_back({section.quads, 0, 0, 0, 0});
+      verdict_.by_quads.push_back({.quads = section.quads});
+      if (section.quads <= kMostCountedQuads) {
+        verdict_.by_quads.back().rooted_all = rooted_all()[section.quads];
+      }
       std::string_view before;
       for (std::uint64_t i = 0; i < section.count; ++i) {
         const IndexEntry entry = entry_at(section, i);
@@ -95,7 +87,6 @@ class TableJudge {
           broken = judge_entry(section.quads, entry, payload_of(section.first + i));
         if (!broken.empty()) return "entry " + std::to_string(section.first + i) + ": " + broken;
         before = entry.key;
-        count(entry.hexahedra);
       }
     }
     return {};
@@ -118,7 +109,8 @@ class TableJudge {
     const std::string name = "block " + std::to_string(b);
     block_.clear();
     payloads_.clear();
-    if (!unpack(bytes_.substr(block.offset, block.stored), block.unpacked, block_)) {
+    if (!unpack_frame(bytes_.substr(block.offset, block.stored), block.unpacked, block_) ||
+        block_.size() != block.unpacked) {
       return name + " is not one Zstandard frame of the stated length";
     }
     const std::uint64_t records = std::min(layout_.entries_per_block, layout_.entries - ordinal);
@@ -138,34 +130,58 @@ class TableJudge {
     return payloads_[ordinal % layout_.entries_per_block];
   }
 
-  [[nodiscard]] static std::string judge_entry(std::uint32_t quads, const IndexEntry& entry,
-                                               std::string_view payload) {
+  std::string judge_entry(std::uint32_t quads, const IndexEntry& entry, std::string_view payload) {
     if (entry.zero != 0) return "the last two bytes are not zero";
     if (entry.lower_bound == 0) return "the lower bound is 0";
     if (entry.hexahedra < entry.lower_bound) {
       return "the number of hexahedra is below the lower bound";
     }
-    std::vector<Quad> boundary;
+    Boundary boundary;
     std::string broken = decode_key(entry.key, quads, boundary);
     if (!broken.empty()) return broken;
     Filling filling;
-    broken = read_payload(payload, boundary, entry.hexahedra, entry.interior, filling);
+    broken = read_payload(payload, boundary.quads, entry.hexahedra, entry.interior, filling);
     if (!broken.empty()) return broken;
     std::vector<Quad> found;
     const Verdict verdict =
         judge_cells(filling.cells, filling.vertex_count, {}, filling.removal_order, found);
     if (!verdict.accepted) return verdict.reason;
-    if (sorted_cycles(found) != sorted_cycles(boundary)) {
+    if (sorted_cycles(found) != sorted_cycles(boundary.quads)) {
       return "the boundary of the mesh is not that of the key";
     }
     if (verdict.interior_vertices != entry.interior) {
       return "the number of interior vertices is not that of the mesh";
     }
+    count(entry.hexahedra, boundary.automorphisms);
     return {};
   }
 
-  void count(std::uint32_t hexahedra) {
+  /// Each key is canonical, of another class than the others, and 3-connected, so the sums are
+  /// equal exactly when no class is missing.
+  std::string judge_completeness() {
+    const auto sum_at = [&](std::uint32_t quads) {
+      for (const TableRow& row : verdict_.by_quads) {
+        if (row.quads == quads) return row.rooted_sum;
+      }
+      return std::uint64_t{0};
+    };
+    for (std::uint32_t n = 6; n <= kMostCountedQuads && sum_at(n) == rooted_all()[n]; n += 2) {
+      verdict_.complete_through = n;
+    }
+    if (layout_.complete_through <= verdict_.complete_through) return {};
+    const std::string claim = "complete through " + std::to_string(layout_.complete_through) +
+                              " quads, as the table claims, ";
+    if (layout_.complete_through > kMostCountedQuads) {
+      return claim + "is more than can be judged";
+    }
+    const std::uint32_t n = std::max(verdict_.complete_through + 2, 6U);
+    return claim + "it is not: with " + std::to_string(n) + " quads the rooted sum is " +
+           std::to_string(sum_at(n)) + " of " + std::to_string(rooted_all()[n]);
+  }
+
+  void count(std::uint32_t hexahedra, unsigned automorphisms) {
     TableRow& row = verdict_.by_quads.back();
+    row.rooted_sum += std::uint64_t{8} * row.quads / automorphisms;
     row.least_hexahedra = row.entries == 0 ? hexahedra : std::min(row.least_hexahedra, hexahedra);
     row.greatest_hexahedra = std::max(row.greatest_hexahedra, hexahedra);
     row.total_hexahedra += hexahedra;

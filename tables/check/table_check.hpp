@@ -7,6 +7,9 @@
 /// shelling; the hexahedra of encoding 1 are shown to be a ball by search (ball.hpp).
 ///
 /// Errors: Malformed only if the file cannot be read; what is wrong with its bytes is a verdict.
+/// Completeness is judged without a list of what there is: the sum of 8n / |Aut| over the entries
+/// with n quads is compared with the number of rooted objects (rooted_count.hpp), for n up to 32.
+///
 /// Cost: O(H * degree + n^3) per entry, well below a millisecond for 50 hexahedra and n = 20.
 /// Not promised: that a lower bound is true. It is a claim about all meshes, of which the table
 /// holds no proof; here it is compared with H only.
@@ -26,6 +29,11 @@ struct TableRow {
   std::uint32_t least_hexahedra = 0;
   std::uint32_t greatest_hexahedra = 0;
   std::uint64_t total_hexahedra = 0;
+  std::uint64_t rooted_sum = 0;  ///< of 8 * quads / |Aut| over the entries
+  std::uint64_t rooted_all = 0;  ///< of all 3-connected ones; 0 above 32 quads: not counted
+  /// Whether the entries are all 3-connected quadrangulations with this number of quads: proven by
+  /// equal sums, as they are distinct.
+  [[nodiscard]] bool is_complete() const { return rooted_all > 0 && rooted_sum == rooted_all; }
 };
 
 struct TableVerdict {
@@ -35,7 +43,9 @@ struct TableVerdict {
   std::uint64_t bytes = 0;
   std::uint64_t entries = 0;
   std::uint64_t names = 0;
-  std::vector<TableRow> by_quads;  ///< of the entries accepted so far
+  std::uint32_t claimed_through = 0;   ///< what the table claims of itself; 0: nothing
+  std::uint32_t complete_through = 0;  ///< proven for all even numbers of quads from 6 to this
+  std::vector<TableRow> by_quads;      ///< of the entries accepted so far
 };
 
 [[nodiscard]] TableVerdict check_table(const std::filesystem::path& path);

@@ -41,12 +41,16 @@ class LayoutReader {
   std::string header() {
     if (bytes_.size() < kHeader) return "the file is shorter than its header";
     if (bytes_.substr(0, 8) != "hexatlas") return "the file does not begin with 'hexatlas'";
-    if (at(8, 4) != 1) return "the version is not 1";
+    if (at(8, 4) != 2) return "the version is not 2";
     if (at(12, 4) != 0x0A0B0C0D) return "the byte order is wrong";
     if (at(16, 8) != bytes_.size()) return "the size of the file is not that of its header";
-    const std::string_view zero = bytes_.substr(72, 24);
+    const std::string_view zero = bytes_.substr(76, 20);
     if (zero.find_first_not_of('\0') != std::string_view::npos)
-      return "bytes 72 to 95 are not zero";
+      return "bytes 76 to 95 are not zero";
+    const std::uint64_t through = at(72, 4);
+    if (through != 0 && (through < kFewestQuads || through > kMostQuads || through % 2 != 0))
+      return "the claim of completeness names an impossible number of quads";
+    layout_.complete_through = static_cast<std::uint32_t>(through);
     layout_.entries = at(24, 8);
     layout_.entries_per_block = at(44, 4);
     layout_.names = at(40, 4);

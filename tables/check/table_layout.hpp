@@ -30,6 +30,7 @@ struct TableLayout {
   std::uint64_t entries = 0;
   std::uint64_t entries_per_block = 0;
   std::uint64_t names = 0;
+  std::uint32_t complete_through = 0;  ///< as claimed; 0: nothing
   std::vector<TableSection> sections;
   std::vector<TableBlock> blocks;
 };

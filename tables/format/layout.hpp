@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "enum/complex/quadrangulation.hpp"
+
 namespace hexatlas::format::layout {
 
 inline constexpr std::string_view kMagic = "hexatlas";
@@ -22,12 +24,19 @@ inline constexpr std::size_t kEntriesPerBlock = 44;
 inline constexpr std::size_t kIndexOffset = 48;
 inline constexpr std::size_t kDirectoryOffset = 56;
 inline constexpr std::size_t kNamesOffset = 64;
+inline constexpr std::size_t kCompleteThrough = 72;
+inline constexpr std::size_t kZeros = 76;  ///< up to the digest
 inline constexpr std::size_t kDigest = 96;
 inline constexpr std::size_t kHeaderSize = 128;
 
 inline constexpr std::size_t kSectionSize = 32;
 inline constexpr std::size_t kEntryFields = 8;  ///< after the key
 inline constexpr std::size_t kDirectoryEntrySize = 16;
+
+/// A claim of completeness is none (0) or names an even number of quads from 6 on.
+[[nodiscard]] constexpr bool is_claim(std::uint32_t quads) noexcept {
+  return quads == 0 || (quads >= 6 && quads <= complex::kMaxQuads && quads % 2 == 0);
+}
 
 /// Names have the characters a-z, 0-9 and '-', at least one and at most 255.
 [[nodiscard]] constexpr bool is_name(std::string_view name) noexcept {

@@ -35,6 +35,7 @@ std::string manifest_text(const Table& table, const Provenance& provenance) {
   json["bytes"] = table.bytes();
   json["sha256"] = table.sha256();
   json["entries"] = table.size();
+  json["complete_through"] = table.complete_through();
   json["by_quads"] = nlohmann::ordered_json::object();
   for (const Tally& tally : tally_of(table))
     json["by_quads"][std::to_string(tally.quads)] = {{"entries", tally.entries},

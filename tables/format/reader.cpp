@@ -65,6 +65,7 @@ struct Table::Content {
   std::string copy;                        ///< the bytes themselves
   std::string_view bytes;
   std::size_t entries = 0, records_per_block = 1, directory = 0;
+  std::uint32_t complete_through = 0;
   std::vector<Section> sections;
   std::vector<TableName> names;
 
@@ -155,6 +156,10 @@ void Table::Content::read_names(std::size_t at, std::size_t count) {
 void Table::Content::read_layout() {
   check_header();
   check_digest();
+  complete_through = get<std::uint32_t>(bytes, layout::kCompleteThrough);
+  const std::string_view zeros = bytes.substr(layout::kZeros, layout::kDigest - layout::kZeros);
+  if (!layout::is_claim(complete_through) || zeros.find_first_not_of('\0') != zeros.npos)
+    refuse("is damaged: its claim of completeness is impossible");
   entries = get<std::uint64_t>(bytes, layout::kEntries);
   records_per_block = get<std::uint32_t>(bytes, layout::kEntriesPerBlock);
   directory = get<std::uint64_t>(bytes, layout::kDirectoryOffset);
@@ -218,6 +223,9 @@ Table Table::from_bytes(std::string bytes, const std::string& name) {
 }
 
 std::size_t Table::size() const noexcept { return content_->entries; }
+int Table::complete_through() const noexcept {
+  return static_cast<int>(content_->complete_through);
+}
 std::size_t Table::bytes() const noexcept { return content_->bytes.size(); }
 const std::string& Table::path() const noexcept { return content_->name; }
 const std::vector<TableName>& Table::names() const noexcept { return content_->names; }

@@ -16,7 +16,7 @@
 
 namespace hexatlas::format {
 
-inline constexpr std::uint32_t kTableVersion = 1;
+inline constexpr std::uint32_t kTableVersion = 2;
 
 /// What the index says of one mesh.
 struct TableEntry {
@@ -43,6 +43,9 @@ class Table {
   [[nodiscard]] static Table from_bytes(std::string bytes, const std::string& name);
 
   [[nodiscard]] std::size_t size() const noexcept;
+  /// N, if the table claims to have an entry for every 3-connected quadrangulation with an even
+  /// number of quads from 6 to N; 0 if it claims nothing. Not verified here: the judge does that.
+  [[nodiscard]] int complete_through() const noexcept;
   /// Requires ordinal < size(). Entries ascend by code.
   [[nodiscard]] TableEntry entry(std::size_t ordinal) const;
   /// Binary search. Cost: O(log size).
@@ -76,7 +79,9 @@ struct TableRowName {
 };
 
 /// The bytes of a table: rows in any order, the same bytes for the same rows.
-/// Requires distinct codes, valid meshes with these boundaries, names among the rows.
-[[nodiscard]] std::string table_bytes(std::vector<TableRow> rows, std::vector<TableRowName> names);
+/// Requires distinct codes, valid meshes with these boundaries, names among the rows, and
+/// `complete_through` 0 or even, from 6 to 64. Not verified: that this claim is true.
+[[nodiscard]] std::string table_bytes(std::vector<TableRow> rows, std::vector<TableRowName> names,
+                                      int complete_through = 0);
 
 }  // namespace hexatlas::format

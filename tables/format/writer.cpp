@@ -90,7 +90,8 @@ void put_names(Parts& parts, const std::vector<TableRow>& rows, std::vector<Tabl
   }
 }
 
-std::string header(const Parts& parts, std::size_t entries, std::size_t names) {
+std::string header(const Parts& parts, std::size_t entries, std::size_t names,
+                   std::uint32_t complete_through) {
   const std::size_t index = layout::kHeaderSize + parts.sections.size();
   const std::size_t directory = index + parts.index.size();
   const std::size_t names_offset = directory + parts.directory.size() + parts.blocks.size();
@@ -106,13 +107,17 @@ std::string header(const Parts& parts, std::size_t entries, std::size_t names) {
   put(bytes, std::uint64_t{index});
   put(bytes, std::uint64_t{directory});
   put(bytes, std::uint64_t{names_offset});
+  put(bytes, complete_through);
   bytes.resize(layout::kHeaderSize, '\0');
   return bytes;
 }
 
 }  // namespace
 
-std::string table_bytes(std::vector<TableRow> rows, std::vector<TableRowName> names) {
+std::string table_bytes(std::vector<TableRow> rows, std::vector<TableRowName> names,
+                        int complete_through) {
+  const auto claim = static_cast<std::uint32_t>(complete_through);
+  core::expects(layout::is_claim(claim), "completeness is claimed for even numbers of quads");
   std::sort(rows.begin(), rows.end(),
             [](const TableRow& a, const TableRow& b) { return a.code < b.code; });
   core::expects(std::adjacent_find(rows.begin(), rows.end(),
@@ -124,7 +129,7 @@ std::string table_bytes(std::vector<TableRow> rows, std::vector<TableRowName> na
   put_index(parts, rows);
   put_blocks(parts, rows);
   put_names(parts, rows, names);
-  std::string bytes = header(parts, rows.size(), names.size());
+  std::string bytes = header(parts, rows.size(), names.size(), claim);
   for (const std::string* part :
        {&parts.sections, &parts.index, &parts.directory, &parts.blocks, &parts.names})
     bytes += *part;

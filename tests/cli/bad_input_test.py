@@ -254,6 +254,20 @@ class BadOutput(program.ProgramTest):
         self.expect_fault(ran, "cube.obj")
         self.assertIn("Permission denied", ran.err)
 
+    def test_long_work_is_not_begun_in_vain(self):
+        """Each would take minutes or more, or has printed something, when it comes to write."""
+        os.makedirs(self.path("result/hexahedron.html"))
+        for command, output in (
+                ("enum triangulations hexahedron --interior 3 -o", "nowhere/made.hxc"),
+                ("enum triangulations hexahedron --completeness", "nowhere/made.hxl"),
+                ("enum balls --vertices 9 -o", "nowhere/made.hxc"),
+                ("realize hexahedron --convex -o", "cube.obj/made.hxc")):
+            with self.subTest(command=command):
+                self.expect_fault(self.hexatlas(*command.split(), output), output)
+        ran = self.hexatlas("reproduce", "hexahedron-174", "-o", "result")
+        self.expect_fault(ran, "result/hexahedron.html")
+        self.assertEqual(self.listing(), ["cube.obj", "result"])
+
     def test_full_device(self):
         if not os.path.exists("/dev/full"):
             self.skipTest("no /dev/full")

@@ -31,7 +31,7 @@ def table(cells, interior):
     body = struct.pack("<IIQQQ", 6, len(KEY), 0, 1, index)
     body += KEY + struct.pack("<HHHH", len(cells), interior, 1, 0)
     body += struct.pack("<QII", directory + 16, len(block), len(raw)) + block
-    head = b"hexatlas" + struct.pack("<IIQQIIIIQQQ", 1, 0x0A0B0C0D, names, 1, 1, 1, 0, 64, index,
+    head = b"hexatlas" + struct.pack("<IIQQIIIIQQQ", 2, 0x0A0B0C0D, names, 1, 1, 1, 0, 64, index,
                                      directory, names)
     head = head.ljust(128, b"\0")
     digest = hashlib.sha256(head + body).digest()

@@ -17,7 +17,7 @@ import surfaces
 VERBS = (["mesh", "hex"], ["check"], ["code"], ["table", "info"], ["table", "get"],
          ["table", "check"], ["table", "build"])
 SHIPPED = os.path.join(program.REPOSITORY, "tables", "data", "hexatlas.hxt")
-BUILD = ("table", "build", "-o", "a.hxt", "--max-quads", "6", "--max-ball", "2", "--max-collar", "1")
+BUILD = ("table", "build", "-o", "a.hxt", "--max-quads", "6", "--max-hexahedra", "3", "--width", "50", "--rounds", "1", "--collared", "0")
 
 
 class Help(program.ProgramTest):

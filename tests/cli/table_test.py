@@ -8,10 +8,12 @@ import hashlib
 import json
 import os
 import signal
+import sqlite3
 import struct
 import subprocess
 import sys
 import time
+from xml.etree import ElementTree
 
 import program
 import surfaces
@@ -19,8 +21,9 @@ import surfaces
 sys.path.insert(0, os.path.join(program.REPOSITORY, "tests", "sabotage"))
 import reference_code  # noqa: E402
 
-# A quick build: it finds meshes for the cube and two cubes, and says that it lacks three more.
-SMALL = ("--max-quads", "6", "--also", "two-cubes", "--max-ball", "4", "--max-collar", "2")
+# A quick build: it finds meshes for the cube and two cubes.
+QUICK = ("--max-quads", "6", "--width", "100", "--rounds", "1", "--growths", "0", "--collared", "0")
+SMALL = (*QUICK, "--also", "two-cubes", "--max-hexahedra", "4")
 SHIPPED = os.path.join(program.REPOSITORY, "tables", "data", "hexatlas.hxt")
 HEADER, DIGEST = 128, 96
 
@@ -44,8 +47,8 @@ class TableTest(program.ProgramTest):
         return self.expect(0, self.hexatlas("table", "build", "-o", name, *SMALL, *options))
 
     def expect_mesh(self, said):
-        self.assertEqual(list(said), ["code", "quads", "hexahedra", "interior_vertices",
-                                      "lower_bound", "boundary", "cells"])
+        keys = ["code", "quads", "hexahedra", "interior_vertices", "lower_bound", "boundary", "cells"]
+        self.assertEqual([key for key in said if key != "literature"], keys)
         self.assertEqual(said["quads"], len(said["boundary"]))
         self.assertEqual(said["hexahedra"], len(said["cells"]))
         self.assertLessEqual(said["lower_bound"], said["hexahedra"])
@@ -76,17 +79,18 @@ class Build(TableTest):
 
     def test_manifest(self):
         ran = self.build("small.hxt", "--seed", "5")
-        self.assertEqual(self.listing(), ["small.hxt", "small.manifest.json"])
+        self.assertEqual(self.listing(), ["small.census.sqlite", "small.hxt", "small.manifest.json"])
         data = self.read("small.hxt")
         digest = hashlib.sha256(data).hexdigest()
         self.assertEqual(ran.out, f"small.hxt: 2 meshes, {len(data)} bytes, sha256 {digest}\n")
         self.assertEqual(ran.err, "")
         manifest = json.loads(self.read("small.manifest.json"))
-        self.assertEqual(list(manifest), ["format", "file", "bytes", "sha256", "entries", "by_quads",
+        self.assertEqual(list(manifest), ["format", "file", "bytes", "sha256", "entries",
+                                          "complete_through", "by_quads",
                                           "names", "command", "seed", "program", "commit"])
         self.assertEqual(manifest["sha256"], digest)
         self.assertEqual(manifest["bytes"], len(data))
-        self.assertEqual(manifest["seed"], 5)
+        self.assertEqual((manifest["seed"], manifest["complete_through"]), (5, 6))
         self.assertEqual(manifest["command"],
                          "hexatlas " + " ".join(["table", "build", "-o", "small.hxt", *SMALL, "--seed", "5"]))
         one = {"entries": 1, "least": 1, "greatest": 1, "total": 1}
@@ -111,7 +115,7 @@ class Build(TableTest):
         os.symlink("/dev/full", self.path("a.manifest.json"))
         ran = self.expect(5, self.hexatlas("table", "build", "-o", "a.hxt", *SMALL))
         self.assertEqual(ran.out, "")
-        self.assertIn("the table a.hxt was written, its manifest was not\n", ran.err)
+        self.assertIn("the table a.hxt was written, its manifest or its census was not\n", ran.err)
         os.remove(self.path("a.manifest.json"))
         self.expect(0, self.hexatlas("table", "check", "a.hxt"))
 
@@ -126,12 +130,12 @@ class Build(TableTest):
                 ran = self.expect(2, self.hexatlas("table", "build", "-o", "b.hxt", *SMALL,
                                                    "--seed", word))
                 self.assertRegex(ran.err, r"\Ahexatlas: --seed: [^\n]+\n\Z")
-        self.assertEqual(self.listing(), ["a.hxt", "a.manifest.json"])
+        self.assertEqual(self.listing(), ["a.census.sqlite", "a.hxt", "a.manifest.json"])
 
     def test_wrong_options(self):
         for options in (["-o", "-"], ["-o", ""], ["--output="], ["-o", "a.hxt", "--max-quads", "40"],
                         ["-o", "a.hxt", "--max-quads", "ten"], ["-o", "a.hxt", "--seed", "-1"],
-                        ["-o", "a.hxt", "-j", "0"], ["-o", "a.hxt", "--max-ball", "0"], []):
+                        ["-o", "a.hxt", "-j", "0"], ["-o", "a.hxt", "--max-hexahedra", "0"], []):
             with self.subTest(options=options):
                 ran = self.expect(2, self.hexatlas("table", "build", *options))
                 self.assertRegex(ran.err, r"\Ahexatlas: [^\n]+\n\Z")
@@ -151,10 +155,10 @@ class Build(TableTest):
                 self.assertEqual(self.listing(), [])
 
     def test_what_is_not_found_is_said(self):
-        ran = self.expect(4, self.hexatlas("table", "build", "-o", "a.hxt", "--max-quads", "6", "--also",
-                                           "octagonal-spindle", "--max-ball", "2", "--max-collar", "1"))
+        ran = self.expect(4, self.hexatlas("table", "build", "-o", "a.hxt", *QUICK, "--also",
+                                           "octagonal-spindle", "--max-hexahedra", "2"))
         self.assertEqual(ran.err, "hexatlas: no mesh found for q1:088a577f; it is not in the table\n")
-        self.assertEqual(self.listing(), ["a.hxt", "a.manifest.json"])
+        self.assertEqual(self.listing(), ["a.census.sqlite", "a.hxt", "a.manifest.json"])
 
 
 class Read(TableTest):
@@ -171,7 +175,8 @@ class Read(TableTest):
 
     def test_info(self):
         said = json.loads(self.expect(0, self.hexatlas("table", "info", "small.hxt", "--json")).out)
-        self.assertEqual(list(said), ["file", "bytes", "sha256", "entries", "by_quads", "names"])
+        self.assertEqual(list(said), ["file", "bytes", "sha256", "entries", "complete_through",
+                                      "by_quads", "names"])
         self.assertEqual(said["file"], "small.hxt")
         self.assertEqual(said["sha256"], hashlib.sha256(self.good).hexdigest())
         entries = struct.unpack_from("<Q", self.good, 24)[0]
@@ -179,8 +184,10 @@ class Read(TableTest):
         self.assertEqual(sum(row["entries"] for row in said["by_quads"].values()), entries)
         stacked = reference_code.code(stacked_cubes())
         self.assertEqual(said["names"]["cube"],
-                         {"code": reference_code.code(reference_code.CUBE), "hexahedra": 1})
-        self.assertEqual(said["names"]["two-cubes"], {"code": stacked, "hexahedra": 2})
+                         {"code": reference_code.code(reference_code.CUBE), "hexahedra": 1,
+                          "literature": {"hexahedra": 1, "source": "evident from the construction"}})
+        self.assertEqual(said["names"]["two-cubes"]["code"], stacked)
+        self.assertEqual(said["names"]["two-cubes"]["literature"]["hexahedra"], 2)
         text = self.expect(0, self.hexatlas("table", "info", "small.hxt")).out
         for word in ("cube", stacked, said["sha256"], f"{entries} meshes"):
             self.assertIn(word, text)
@@ -193,7 +200,9 @@ class Read(TableTest):
         self.expect_mesh(said)
         by_code = self.expect(0, self.hexatlas("table", "get", "--table", "small.hxt", "--code",
                                                said["code"]))
-        self.assertEqual(by_code.out, by_name.out)
+        literature = said.pop("literature")
+        self.assertEqual(literature["hexahedra"], 2)
+        self.assertEqual(json.loads(by_code.out), said)  # a code has no name
         to_file = self.expect(0, self.hexatlas("table", "get", "--table", "small.hxt", "--name",
                                                "two-cubes", "-o", "mesh.json"))
         self.assertEqual((to_file.out, self.read("mesh.json").decode()), ("", by_name.out))
@@ -256,7 +265,9 @@ class Read(TableTest):
             "half": (self.good[:middle], "truncated"), "header only": (self.good[:60], "not a table"),
             "longer": (self.good + b"\0", "truncated or damaged"),
             "magic": (b"HEXATLAS" + self.good[8:], "not a table"), "text": (b"text\n" * 99, "not a"),
-            "version": (put(8, 2), "version 2"), "version, signed": (signed(put(8, 2)), "version 2"),
+            "version": (put(8, 1), "version 1"), "version, signed": (signed(put(8, 1)), "version 1"),
+            "claim, signed": (signed(put(72, 7)), "damaged"),
+            "zeros, signed": (signed(put(80, 1)), "damaged"),
             "byte order": (put(12, 0x0D0C0B0A), "byte order"),
             "one bit": (self.good[:middle] + bytes([self.good[middle] ^ 1]) +
                         self.good[middle + 1:], "SHA-256"),
@@ -298,8 +309,8 @@ class Read(TableTest):
         self.write("small.manifest.json", text.replace(digest, "0" * 64))
         self.expect(1, self.hexatlas("table", "check", "small.hxt"))
         claims = json.loads(text)
-        for key, value in (("format", "hexatlas table 2"), ("file", "other.hxt"), ("bytes", 1),
-                           ("entries", 3), ("by_quads", {}), ("names", {}), ("more", 1)):
+        for key, value in (("format", "hexatlas table 1"), ("file", "other.hxt"), ("bytes", 1),
+                           ("entries", 3), ("complete_through", 8), ("by_quads", {}), ("names", {}), ("more", 1)):
             with self.subTest(key=key):
                 self.write("small.manifest.json",
                            json.dumps({**claims, key: value}, indent=2) + "\n")
@@ -329,6 +340,141 @@ class Read(TableTest):
         for name in ("missing.hxt", "folder.hxt"):
             for verb in ("info", "check"):
                 self.expect_fault(self.hexatlas("table", verb, name), name)
+
+
+class Unclaimed(TableTest):
+    def small(self):
+        """A table without a census and a claim; its digest."""
+        self.build("small.hxt")
+        os.remove(self.path("small.census.sqlite"))
+        os.remove(self.path("small.manifest.json"))
+        data = bytearray(self.read("small.hxt"))
+        struct.pack_into("<I", data, 72, 0)
+        self.write("small.hxt", signed(data))
+        return hashlib.sha256(signed(data)).hexdigest()
+
+
+class ByQuads(Unclaimed):
+    def census(self, digest, rows, program="p"):
+        """Written here from docs/formats/census.md with Python's own SQLite."""
+        def word(text):
+            return f"{len(text)} {text}\n"
+        path = self.path("small.census.sqlite")
+        if os.path.exists(path):
+            os.remove(path)
+        about = (digest, program, "c")
+        text = "".join(map(word, about))
+        for code, *rest in sorted(rows):
+            text += "".join(f"{number}\n" for number in rest[:6])
+            text += "".join(map(word, (code, *rest[6:])))
+        database = sqlite3.connect(path)
+        database.executescript(
+            "PRAGMA application_id = 1213743921; PRAGMA user_version = 1;"
+            "CREATE TABLE about (format INTEGER NOT NULL, table_format INTEGER NOT NULL, "
+            "table_sha256 TEXT NOT NULL, program TEXT NOT NULL, \"commit\" TEXT NOT NULL, "
+            "rows_sha256 TEXT NOT NULL) STRICT;"
+            "CREATE TABLE census (code TEXT NOT NULL PRIMARY KEY, quads INTEGER NOT NULL, "
+            "automorphisms INTEGER NOT NULL, rotations INTEGER NOT NULL, hexahedra INTEGER NOT NULL, "
+            "interior_vertices INTEGER NOT NULL, lower_bound INTEGER NOT NULL, source TEXT NOT NULL, "
+            "found TEXT NOT NULL) STRICT, WITHOUT ROWID;")
+        database.execute("INSERT INTO about VALUES (1, 2, ?, ?, ?, ?)",
+                         (*about, hashlib.sha256(text.encode()).hexdigest()))
+        database.executemany("INSERT INTO census VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", rows)
+        database.commit()
+        database.close()
+
+    ROWS = [("q1:022972977f", 10, 16, 8, 2, 0, 1, "given", "2026-01-02"),
+            ("q1:08a5df", 6, 48, 24, 1, 0, 1, "beam", "2026-01-03")]
+
+    def test_without_a_census(self):
+        self.small()
+        ran = self.expect(0, self.hexatlas("table", "info", "small.hxt", "--by", "quads", "--json"))
+        said = json.loads(ran.out)
+        self.assertEqual(said["read_from"], "small.hxt")
+        self.assertEqual(said["by_quads"]["10"],
+                         {"entries": 1, "of": None, "least": 2, "mean": 2.0, "median": 2.0,
+                          "greatest": 2, "total": 2, "distribution": {"2": 1}})
+        text = self.expect(0, self.hexatlas("table", "info", "small.hxt", "--by", "quads")).out
+        self.assertIn("10 quads  2:1\n", text)
+        self.assertIn("makes no claim", text)
+
+    def test_with_a_census(self):
+        digest = self.small()
+        self.census(digest, self.ROWS)
+        ran = self.expect(0, self.hexatlas("table", "info", "small.hxt", "--by", "quads", "--json"))
+        said = json.loads(ran.out)
+        self.assertEqual(said["read_from"], "small.census.sqlite")
+        self.assertEqual(said["by_quads"]["10"]["sources"], {"given": 1})
+        text = self.expect(0, self.hexatlas("table", "info", "small.hxt", "--by", "quads")).out
+        self.assertIn("read from small.census.sqlite", text)
+        self.assertIn("6 quads  beam:1\n", text)
+        ran = self.expect(0, self.hexatlas("table", "check", "small.hxt"))
+        self.assertIn("; as its census says\n", ran.out)
+        for name, rows, program, said in (
+                ("a row less", self.ROWS[1:], "p", "1 row"),
+                ("symmetry", [self.ROWS[0], self.ROWS[1][:2] + (24,) + self.ROWS[1][3:]], "p", "numbers"),
+                ("hexahedra", [self.ROWS[0], self.ROWS[1][:4] + (2,) + self.ROWS[1][5:]], "p", "numbers"),
+                ("another code", [self.ROWS[0], ("q1:088a577f",) + self.ROWS[1][1:]], "p", "not in")):
+            with self.subTest(damage=name):
+                self.census(digest, rows, program)
+                ran = self.expect(1, self.hexatlas("table", "check", "small.hxt"))
+                self.assertRegex(ran.out, r"\Asmall\.hxt: rejected: [^\n]+census[^\n]+\n\Z")
+                self.assertIn(said, ran.out)
+        self.census("0" * 64, self.ROWS)
+        self.expect(1, self.hexatlas("table", "check", "small.hxt"))
+        self.expect_fault(self.hexatlas("table", "info", "small.hxt", "--by", "quads"),
+                          "small.census.sqlite")
+        self.write("small.census.sqlite", b"no database")
+        for verb in (["info", "--by", "quads"], ["check"]):
+            self.expect_fault(self.hexatlas("table", *verb, "small.hxt"), "small.census.sqlite")
+
+    def test_chart(self):
+        self.small()
+        words = ("table", "info", "small.hxt", "--by", "quads", "--svg")
+        self.expect(0, self.hexatlas(*words, "a.svg"))
+        drawing = ElementTree.fromstring(self.read("a.svg"))
+        name = "{http://www.w3.org/2000/svg}"
+        self.assertEqual(len(drawing.findall(f"{name}g")), 2)
+        self.assertEqual(len(drawing.findall(f"{name}g/{name}rect")), 2)
+        self.assertIn("10 quads: 1 quadrangulation", drawing.find(f"{name}desc").text)
+        self.assertEqual(self.expect(0, self.hexatlas(*words, "-")).out.encode(), self.read("a.svg"))
+        self.expect_fault(self.hexatlas(*words, "no/where.svg"), "no/where.svg")
+        for options in (["--svg", "a.svg"], ["--by", "hexahedra"], ["--by"]):
+            ran = self.expect(2, self.hexatlas("table", "info", "small.hxt", *options))
+            self.assertRegex(ran.err, r"\Ahexatlas: [^\n]+\n\Z")
+
+
+class Complete(Unclaimed):
+    def test_a_table_without_a_claim(self):
+        self.small()
+        text = self.expect(0, self.hexatlas("table", "check", "small.hxt")).out
+        self.assertIn("complete: all 3-connected quadrangulations with 6 quads\n"
+                      "10 quads: 1 entry, rooted sum 5 of 29, not complete\n"
+                      "it makes no claim to be complete\n", text)
+        self.expect(0, self.hexatlas("table", "check", "small.hxt", "--complete-through", "6"))
+        for quads in ("8", "10", "32"):
+            ran = self.expect(1, self.hexatlas("table", "check", "small.hxt", "--complete-through",
+                                               quads))
+            self.assertIn(f"it is complete through 6 quads, not {quads}\n", ran.out)
+        for quads in ("4", "34", "x"):
+            self.expect(2, self.hexatlas("table", "check", "small.hxt", "--complete-through", quads))
+        said = json.loads(self.expect(0, self.hexatlas("table", "check", "small.hxt", "--json")).out)
+        self.assertEqual((said["accepted"], said["claimed_through"], said["complete_through"]),
+                         (True, 0, 6))
+        self.assertEqual(said["by_quads"]["10"]["rooted_all"], 29)
+
+    def test_a_claim_that_is_false(self):
+        self.small()
+        data = bytearray(self.read("small.hxt"))
+        for claim, code in ((6, 0), (8, 1)):
+            struct.pack_into("<I", data, 72, claim)
+            self.write("claims.hxt", signed(data))
+            ran = self.expect(code, self.hexatlas("table", "check", "claims.hxt"))
+        self.assertIn("with 8 quads the rooted sum is 0 of 4", ran.out)
+        ran = self.expect(1, self.hexatlas("table", "check", "claims.hxt", "--json"))
+        said = json.loads(ran.out)
+        self.assertFalse(said["accepted"])
+        self.assertIn("0 of 4", said["reason"])
 
 
 class Shipped(TableTest):

@@ -2,6 +2,9 @@
 /// \file
 /// Valid tables for the tests of the judge.
 
+#include "tables/check/file_bytes.hpp"
+#include "tables/check/table_layout.hpp"
+#include "tables/check/zstd_frame.hpp"
 #include "tests/sabotage/table_writer.hpp"
 
 namespace hexatlas::check::sabotage {
@@ -10,9 +13,10 @@ struct SampleTable {
   std::vector<TableEntry> entries;
   std::vector<Name> names;
   std::size_t per_block = 1;
+  std::uint32_t complete_through = 0;
 
   [[nodiscard]] std::string bytes(Parts& parts) const {
-    return write_table(entries, names, per_block, parts);
+    return write_table(entries, names, per_block, complete_through, parts);
   }
   [[nodiscard]] std::string bytes() const {
     Parts parts;
@@ -58,6 +62,47 @@ inline SampleTable nested_table(bool flips) {
   SampleTable table;
   table.entries = {entry_of(example, flips)};
   table.per_block = 4;
+  return table;
+}
+
+/// The entries with at most `most_quads` quads of the table in a file, which must be all there are, as a
+/// table that claims so. Read as the specification says, without a look at what is not needed.
+inline SampleTable complete_table(const std::string& path, std::uint32_t most_quads) {
+  const std::string bytes = bytes_of_file(path);
+  SampleTable table;
+  table.per_block = 8;
+  table.complete_through = most_quads;
+  std::uint64_t at = number_at(bytes, 48, 8);
+  for (std::uint64_t s = 0; s < number_at(bytes, 32, 4); ++s) {
+    const auto quads = static_cast<unsigned>(number_at(bytes, 128 + 32 * s, 4));
+    for (std::uint64_t i = 0; i < number_at(bytes, 128 + 32 * s + 16, 8); ++i) {
+      const std::uint64_t key = (quads + 1) / 2;
+      const auto field = [&](std::uint64_t f) {
+        return static_cast<std::uint32_t>(number_at(bytes, at + key + 2 * f, 2));
+      };
+      if (quads > most_quads) continue;
+      table.entries.push_back({quads, bytes.substr(at, key), field(0), field(1), field(2), ""});
+      at += key + 8;
+    }
+  }
+  const std::uint64_t per_block = number_at(bytes, 44, 4);
+  const std::uint64_t directory = number_at(bytes, 56, 8);
+  const std::uint64_t all = number_at(bytes, 24, 8);
+  for (std::size_t first = 0; first < table.entries.size(); first += per_block) {
+    const std::uint64_t block = directory + first / per_block * 16;
+    std::string raw;
+    const bool unpacked = unpack_frame(
+        std::string_view(bytes).substr(number_at(bytes, block, 8), number_at(bytes, block + 8, 4)),
+        number_at(bytes, block + 12, 4), raw);
+    if (!unpacked) throw std::runtime_error("a block of the table cannot be unpacked");
+    const std::size_t records = std::min<std::size_t>(per_block, all - first);
+    std::size_t from = 4 * records;
+    for (std::size_t r = 0; r < records && first + r < table.entries.size(); ++r) {
+      const std::size_t length = number_at(raw, 4 * r, 4);
+      table.entries[first + r].payload = raw.substr(from, length);
+      from += length;
+    }
+  }
   return table;
 }
 

@@ -3,7 +3,7 @@
 // Oracle. Every byte of a file is covered by the digest, so any change without a new digest is a
 // true damage. With a new digest, only damages are made that break a law for a reason given beside
 // them. Random steps of flips may by chance be another valid filling; there slow_oracle.hpp, on the
-// hexahedra of a second replay below, says which are true damages.
+// hexahedra of a second replay, table_replay.hpp, says which are true damages.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -11,11 +11,13 @@
 
 #include "tables/check/table_check.hpp"
 #include "tests/sabotage/sample_tables.hpp"
+#include "tests/sabotage/table_replay.hpp"
 
 namespace hexatlas::check {
 namespace {
 
 using sabotage::frame_of_zeros;
+using sabotage::is_filling;
 using sabotage::nested_table;
 using sabotage::Parts;
 using sabotage::sample_table;
@@ -173,62 +175,6 @@ TEST(TableSabotage, NoPayloadOfAnotherShapeIsAccepted) {
     }
   }
   EXPECT_GE(refusals.count(), 100U);
-}
-
-/// A second replay of encoding 0, by edges: which quad follows the edge from a to b. Empty if a
-/// step makes no sense.
-std::vector<Hexahedron> second_replay(std::vector<Quad> quads, const std::string& payload) {
-  std::vector<Hexahedron> cells;
-  auto next = static_cast<std::uint32_t>(quads.size() + 2);
-  std::string steps = payload.substr(1) + std::string("\0\x0f", 2);
-  for (std::size_t s = 0; s < steps.size(); s += 2) {
-    const auto place = static_cast<unsigned char>(steps[s]);
-    const unsigned sides = static_cast<unsigned char>(steps[s + 1]);
-    if (place >= quads.size() || sides > 15) return {};
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::pair<std::size_t, std::size_t>> at;
-    for (std::size_t q = 0; q < quads.size(); ++q) {
-      for (std::size_t i = 0; i < 4; ++i) at[{quads[q][i], quads[q][(i + 1) % 4]}] = {q, i};
-    }
-    const Quad b = quads[place];
-    std::map<std::size_t, std::uint32_t> top;
-    std::set<std::size_t> leaving = {place};
-    for (std::size_t i = 0; i < 4; ++i) {
-      if ((sides >> i & 1) == 0) continue;
-      const auto found = at.find({b[(i + 1) % 4], b[i]});
-      if (found == at.end()) return {};
-      const auto [q, k] = found->second;
-      leaving.insert(q);
-      const bool first =
-          top.emplace(i, quads[q][(k + 2) % 4]).first->second == quads[q][(k + 2) % 4];
-      const std::size_t j = (i + 1) % 4;
-      const bool second =
-          top.emplace(j, quads[q][(k + 3) % 4]).first->second == quads[q][(k + 3) % 4];
-      if (!first || !second) return {};
-    }
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (!top.contains(j)) top[j] = next++;
-    }
-    // b0 b3 b2 b1 is the bottom seen from above, counter-clockwise.
-    cells.push_back({b[0], b[3], b[2], b[1], top[0], top[3], top[2], top[1]});
-    std::vector<Quad> left;
-    for (std::size_t q = 0; q < quads.size(); ++q) {
-      if (!leaving.contains(q)) left.push_back(quads[q]);
-    }
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t j = (i + 1) % 4;
-      if ((sides >> i & 1) == 0) left.push_back({b[i], b[j], top[j], top[i]});
-    }
-    left.push_back({top[0], top[1], top[2], top[3]});
-    quads = left;
-  }
-  return cells;
-}
-
-bool is_filling(const sabotage::TableEntry& entry) {
-  std::string reason;
-  const auto quads = *decode_word(*word_of_key(entry.key, entry.quads), reason);
-  const std::vector<Hexahedron> cells = second_replay(quads, entry.payload);
-  return !cells.empty() && oracle::obeys_strict_rule(cells) && oracle::has_boundary(cells, quads);
 }
 
 TEST(TableSabotage, NoRandomStepsAreAcceptedUnlessTheyAreAFilling) {

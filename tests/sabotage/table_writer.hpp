@@ -98,7 +98,7 @@ inline std::string packed_block(const std::vector<TableEntry>& entries, std::siz
 /// Entries are written as they are, in the order given.
 inline std::string write_table(const std::vector<TableEntry>& entries,
                                const std::vector<Name>& names, std::size_t per_block,
-                               Parts& parts) {
+                               std::uint32_t complete_through, Parts& parts) {
   std::map<unsigned, std::size_t> count_of;
   std::string index;
   for (const TableEntry& entry : entries) {
@@ -144,7 +144,7 @@ inline std::string write_table(const std::vector<TableEntry>& entries,
     tail += name.text;
   }
   std::string header = "hexatlas";
-  put(header, 1, 4);
+  put(header, 2, 4);
   put(header, 0x0A0B0C0D, 4);
   put(header, parts.names + tail.size(), 8);
   put(header, entries.size(), 8);
@@ -155,6 +155,7 @@ inline std::string write_table(const std::vector<TableEntry>& entries,
   put(header, parts.index, 8);
   put(header, parts.directory, 8);
   put(header, parts.names, 8);
+  put(header, complete_through, 4);
   header.resize(128, '\0');
   std::string bytes = header + sections + index + directory + stored + tail;
   seal(bytes);

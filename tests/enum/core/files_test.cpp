@@ -1,6 +1,7 @@
 // Claim. write_file() replaces a file wholly or leaves what was there, leaves no temporary file,
-// and names the party to blame; read_file() returns the bytes. Oracle. The file system itself, read
-// with std::ifstream and listed with std::filesystem.
+// and names the party to blame; read_file() returns the bytes; expect_writable() refuses what
+// write_file() refuses and changes nothing. Oracle. The file system itself, read with std::ifstream
+// and listed with std::filesystem; for expect_writable(), write_file().
 #include "enum/core/files.hpp"
 
 #include <gtest/gtest.h>
@@ -162,6 +163,38 @@ TEST_F(Files, DirectoriesAndMissingOnesAreTheUsersFault) {
             }).find("No such file"),
             std::string::npos);
   EXPECT_EQ(entries(), 0);
+}
+
+TEST_F(Files, WhatCanBeWrittenIsToldBeforeAsItIsAtTheEnd) {
+  drop_privileges();
+  if (IsSkipped()) return;
+  { std::ofstream(path("file")) << "old"; }
+  { std::ofstream(path("fixed")) << "old"; }
+  fs::permissions(path("fixed"), fs::perms::owner_read);
+  fs::create_directory(path("folder"));
+  fs::create_directory(path("closed"));
+  { std::ofstream(path("closed/file")) << "old"; }
+  fs::permissions(path("closed"), fs::perms::owner_read | fs::perms::owner_exec);
+  fs::create_symlink(path("file"), path("link"));
+  fs::create_symlink(path("closed/file"), path("link to closed"));
+  fs::create_symlink(path("nothing"), path("dangling"));
+  const auto refuses = [](const std::function<void()>& action) {
+    return message_of<InvalidInput>(action) != "no such error";
+  };
+  int refused = 0;
+  for (const std::string name :
+       {"file", "fixed", "folder", "closed/file", "closed/new", "link", "link to closed",
+        "dangling", "new", "new/", "no/new", "file/new", "folder/new"}) {
+    const std::ptrdiff_t before = entries();
+    const bool told = refuses([&] { core::expect_writable(path(name)); });
+    EXPECT_EQ(entries(), before) << name;
+    EXPECT_EQ(told, refuses([&] { core::write_file(path(name), "new"); })) << name;
+    refused += told ? 1 : 0;
+  }
+  EXPECT_EQ(refused, 9);
+  fs::permissions(path("closed"), fs::perms::owner_all);  // so that it can be removed
+  EXPECT_FALSE(refuses([] { core::expect_writable("-"); }));
+  EXPECT_FALSE(refuses([] { core::expect_writable("/dev/null"); }));
 }
 
 TEST(Errors, NameFileAndLine) {

@@ -19,3 +19,10 @@ hexatlas_test(enum_flips_meeting_test fast
 hexatlas_test(enum_flips_spindle_test long
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/spindle_test.cpp
   USES enum_flips enum_parallel)
+
+hexatlas_test(enum_flips_replacement_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/replacement_test.cpp
+  USES enum_flips)
+hexatlas_test(enum_flips_beam_bytes_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/beam_bytes_test.cpp
+  USES enum_flips)

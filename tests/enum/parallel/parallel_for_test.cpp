@@ -60,4 +60,10 @@ TEST(ParallelFor, NeedsAThread) {
   EXPECT_GE(hexatlas::parallel::available_threads(), 1);
 }
 
+TEST(ParallelFor, NoNumberOfThreadsMeansAll) {
+  EXPECT_EQ(hexatlas::parallel::threads_or_all(0), hexatlas::parallel::available_threads());
+  for (const int threads : {1, 2, 1000})
+    EXPECT_EQ(hexatlas::parallel::threads_or_all(threads), threads);
+}
+
 }  // namespace

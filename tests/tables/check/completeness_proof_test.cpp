@@ -6,8 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <random>
 #include <string>
 #include <variant>
@@ -163,16 +161,12 @@ std::string catalogue_of(const CompletenessInput& input, const std::string& defi
   return text + "end " + std::string(64, '0') + "\n";
 }
 
-TEST_F(CompletenessProof, ReadsFiles) {
+TEST_F(CompletenessProof, ReadsTexts) {
   const std::string definition(64, 'a');
   const std::string cube = "0462 1375 0154 2673 0231 4576";
-  const std::filesystem::path folder(testing::TempDir());
-  const std::string catalogue = (folder / "completeness.hxc").string();
-  const std::string certificate = (folder / "completeness.hxl").string();
-  const auto verdict_of = [&](const std::string& listed, const std::string& certificate_bytes) {
-    std::ofstream(catalogue, std::ios::binary) << listed;
-    std::ofstream(certificate, std::ios::binary) << certificate_bytes;
-    return check_completeness_files(catalogue, certificate);
+  const auto verdict_of = [](const std::string& listed, const std::string& certificate_bytes) {
+    return check_completeness_bytes(listed, "completeness.hxc", certificate_bytes,
+                                    "completeness.hxl");
   };
   const std::string listed = catalogue_of(certified, definition, cube);
   const std::string text = certificate_text(definition, certified.obstructions, proof);

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
 #include <numeric>
 
 #include "tables/check/malformed.hpp"
@@ -16,7 +17,6 @@
 namespace hexatlas::check {
 namespace {
 
-using sabotage::entry_of;
 using sabotage::nested_table;
 using sabotage::sample_table;
 using sabotage::SampleTable;
@@ -95,6 +95,68 @@ TEST(TableCheck, RefusesWrongEntries) {
   expect_refused(with([](Entries& e) { e[1].payload += '\0'; }),
                  "entry 1: the payload has a wrong");
   expect_refused(with([](Entries& e) { std::swap(e[3].payload, e[4].payload); }), "entry 3: ");
+}
+
+/// 8n / |Aut| for the class of an entry, all flags tried.
+std::uint64_t rooted(const sabotage::TableEntry& entry) {
+  std::string reason;
+  const auto quads = *decode_word(*word_of_key(entry.key, entry.quads), reason);
+  return 8 * entry.quads / canonical_code(quads)->automorphisms;
+}
+
+TEST(TableCheck, SaysOfEachNumberOfQuadsWhetherAllAreThere) {
+  const SampleTable table = sample_table(true, 4);
+  const TableVerdict verdict = check_table_bytes(table.bytes());
+  ASSERT_TRUE(verdict.accepted);
+  EXPECT_EQ(verdict.claimed_through, 0U);
+  EXPECT_EQ(verdict.complete_through, 6U);  // the cube is all; none of the one with 8 quads
+  std::map<std::uint32_t, std::uint64_t> sums;
+  for (const auto& entry : table.entries) sums[entry.quads] += rooted(entry);
+  for (const TableRow& row : verdict.by_quads) {
+    EXPECT_EQ(row.rooted_sum, sums.at(row.quads)) << row.quads;
+    EXPECT_EQ(row.is_complete(), row.quads == 6) << row.quads;
+    EXPECT_EQ(row.rooted_all > 0, row.quads <= 32) << row.quads;
+  }
+  EXPECT_EQ(verdict.by_quads[1].rooted_all, 29U);
+}
+
+TEST(TableCheck, RefusesAClaimThatIsNotTrue) {
+  SampleTable table = sample_table(true, 4);
+  table.complete_through = 6;
+  const TableVerdict verdict = check_table_bytes(table.bytes());
+  EXPECT_TRUE(verdict.accepted) << verdict.reason;
+  EXPECT_EQ(verdict.claimed_through, 6U);
+  table.complete_through = 8;
+  expect_refused(table.bytes(), "with 8 quads the rooted sum is 0 of 4");
+  table.complete_through = 34;
+  expect_refused(table.bytes(), "complete through 34 quads, as the table claims, is more");
+  for (const std::uint32_t wrong : {1U, 2U, 4U, 7U, 65U, 66U, 0xFFFFFFFEU}) {
+    table.complete_through = wrong;
+    expect_refused(table.bytes(), "the claim of completeness names an impossible");
+  }
+  table = {};
+  EXPECT_EQ(check_table_bytes(table.bytes()).complete_through, 0U);
+  table.complete_through = 6;
+  expect_refused(table.bytes(), "with 6 quads the rooted sum is 0 of 1");
+}
+
+TEST(TableCheck, NoEntryOfACompleteTableCanBeLeftOut) {
+  const SampleTable all = sabotage::complete_table(HEXATLAS_SHIPPED_TABLE, 12);
+  const TableVerdict verdict = check_table_bytes(all.bytes());
+  ASSERT_TRUE(verdict.accepted) << verdict.reason;
+  EXPECT_EQ(verdict.complete_through, 12U);
+  EXPECT_EQ(all.entries.size(), 16U);
+  for (std::size_t i = 0; i < all.entries.size(); ++i) {
+    SampleTable less = all;
+    const unsigned quads = all.entries[i].quads;
+    less.entries.erase(less.entries.begin() + static_cast<std::ptrdiff_t>(i));
+    less.names.clear();
+    expect_refused(less.bytes(), "with " + std::to_string(quads) + " quads");
+    less.complete_through = 0;
+    const TableVerdict left = check_table_bytes(less.bytes());
+    EXPECT_TRUE(left.accepted) << left.reason;
+    EXPECT_EQ(left.complete_through, quads == 6 ? 0 : quads - 2);
+  }
 }
 
 TEST(TableCheck, RefusesMirroredCells) {

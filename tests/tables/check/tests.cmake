@@ -32,12 +32,35 @@ hexatlas_test(tables_check_read_mesh_test fast
 hexatlas_test(tables_check_quad_code_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/quad_code_test.cpp
   USES tables_check)
+foreach(case fast:10 long:12)
+  string(REPLACE ":" ";" case ${case})
+  list(GET case 0 label)
+  list(GET case 1 max_quads)
+  set(name tables_check_rooted_count_${label}_test)
+  hexatlas_test(${name} ${label}
+    SOURCES ${CMAKE_CURRENT_LIST_DIR}/rooted_count_test.cpp
+    USES tables_check enum_canon)
+  target_compile_definitions(${name} PRIVATE HEXATLAS_MAX_QUADS=${max_quads})
+endforeach()
 hexatlas_test(tables_check_table_check_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/table_check_test.cpp
   USES tables_check)
+target_compile_definitions(tables_check_table_check_test PRIVATE
+  HEXATLAS_SHIPPED_TABLE="${PROJECT_SOURCE_DIR}/tables/data/hexatlas.hxt")
 hexatlas_test(sabotage_mesh_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/mesh_sabotage_test.cpp
   USES tables_check)
+foreach(case fast:700 long:4000)
+  string(REPLACE ":" ";" case ${case})
+  list(GET case 0 label)
+  list(GET case 1 rounds)
+  set(name sabotage_table_records_${label}_test)
+  hexatlas_test(${name} ${label}
+    SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/table_records_sabotage_test.cpp
+    USES tables_check)
+  target_compile_definitions(${name} PRIVATE HEXATLAS_ROUNDS=${rounds}
+    HEXATLAS_SHIPPED_TABLE="${PROJECT_SOURCE_DIR}/tables/data/hexatlas.hxt")
+endforeach()
 hexatlas_test(sabotage_table_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/table_sabotage_test.cpp
   USES tables_check)

@@ -124,6 +124,26 @@ TEST(Table, TheJudgeAccepts) {
   }
 }
 
+TEST(Table, GivesBackItsClaim) {
+  const auto rows = fixtures::rows(14, 4);
+  for (const int quads : {0, 6, 20, 64}) {
+    const Table table = Table::from_bytes(format::table_bytes(rows, {}, quads), "t");
+    EXPECT_EQ(table.complete_through(), quads);
+    EXPECT_NE(format::manifest_text(table, {}).find(
+                  "\"complete_through\": " + std::to_string(quads) + ","),
+              std::string::npos);
+  }
+  EXPECT_EQ(format::table_bytes(rows, {}), format::table_bytes(rows, {}, 0));
+  for (const int quads : {-2, 2, 4, 7, 65, 66})
+    EXPECT_THROW((void)format::table_bytes(rows, {}, quads), core::PreconditionViolated) << quads;
+  for (const std::size_t at : {72U, 74U, 76U, 95U}) {
+    std::string bytes = format::table_bytes(rows, {}, 0);
+    bytes[at] = 5;
+    EXPECT_EQ(refusal(sealed(bytes)),
+              "small.hxt: is damaged: its claim of completeness is impossible");
+  }
+}
+
 TEST(Table, NoDamagedBitPasses) {
   const std::string good = small_table();
   ASSERT_EQ(refusal(good), "accepted");
@@ -143,9 +163,9 @@ TEST(Table, MessagesSayWhatIsWrong) {
   EXPECT_EQ(refusal(""), "small.hxt: is not a table of hexatlas");
   EXPECT_EQ(refusal(std::string(500, 'x')), "small.hxt: is not a table of hexatlas");
   std::string version = good;
-  version[8] = 2;
+  version[8] = 1;
   EXPECT_EQ(refusal(sealed(version)),
-            "small.hxt: is a table of version 2; this program reads version 1");
+            "small.hxt: is a table of version 1; this program reads version 2");
   std::string order = good;
   std::reverse(order.begin() + 12, order.begin() + 16);
   EXPECT_NE(refusal(sealed(order)).find("byte order"), std::string::npos);

@@ -1,0 +1,159 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+
+#include "cli/commands.hpp"
+#include "cli/output.hpp"
+#include "enum/core/files.hpp"
+#include "tables/build/census.hpp"
+#include "tables/check/table_check.hpp"
+#include "tables/format/manifest.hpp"
+
+namespace hexatlas::cli {
+namespace {
+
+/// What was found, and the first reason to reject the table.
+struct Findings {
+  check::TableVerdict verdict;
+  std::string reason;
+  bool has_manifest = false, has_census = false;
+};
+
+bool is_there(const std::string& path) {
+  std::error_code error;  // a name that is too long for a file is that of none
+  return std::filesystem::exists(path, error);
+}
+
+std::string fault_of_manifest(const format::Table& table, const std::string& path) {
+  const format::ManifestClaims claims = format::read_manifest(path);
+  const std::string told =
+      format::manifest_text(table, {claims.command, claims.seed, claims.program, claims.commit});
+  return core::read_file(path) == told ? "" : "it is not as its manifest " + path + " says";
+}
+
+/// `source` and `found` are only claimed; all else follows from the entries.
+std::string fault_of_census(const format::Table& table, const std::string& path) {
+  const build::Census census = build::read_census(path);
+  const std::string fault = "it is not as its census " + path + " says: ";
+  if (census.about.table_sha256 != table.sha256()) return fault + "that has another SHA-256";
+  if (census.rows.size() != table.size())
+    return fault + "that has " + counted(census.rows.size(), "row", "rows");
+  for (const build::CensusRow& row : census.rows) {
+    const auto code = canon::from_text(row.code);
+    const auto ordinal = code ? table.find(*code) : std::nullopt;
+    if (!ordinal) return fault + row.code + " is not in the table";
+    if (build::census_row(table.entry(*ordinal), row.source, row.found) != row)
+      return fault + "entry " + std::to_string(*ordinal) + " has other numbers";
+  }
+  return "";
+}
+
+std::string fault_of_completeness(const check::TableVerdict& verdict, int asked_for) {
+  const auto wanted = static_cast<std::uint32_t>(asked_for - asked_for % 2);
+  if (wanted <= verdict.complete_through) return "";
+  if (verdict.complete_through == 0)
+    return "it is not complete through " + std::to_string(wanted) + " quads";
+  return fmt::format("it is complete through {} quads, not {}", verdict.complete_through, wanted);
+}
+
+Findings findings_of(const std::string& path, int complete_through) {
+  const std::string bytes = core::read_file(path);
+  Findings found;
+  found.verdict = check::check_table_bytes(bytes);
+  found.reason = found.verdict.reason;
+  if (!found.reason.empty()) return found;
+  const format::Table table = format::Table::from_bytes(bytes, path);
+  const std::string manifest = format::manifest_path(path);
+  const std::string census = build::census_path(path);
+  found.has_manifest = is_there(manifest);
+  found.has_census = is_there(census);
+  if (found.has_manifest) found.reason = fault_of_manifest(table, manifest);
+  if (found.has_census && found.reason.empty()) found.reason = fault_of_census(table, census);
+  if (found.reason.empty()) found.reason = fault_of_completeness(found.verdict, complete_through);
+  return found;
+}
+
+std::uint64_t hexahedra_of(const check::TableVerdict& verdict) {
+  std::uint64_t sum = 0;
+  for (const check::TableRow& row : verdict.by_quads) sum += row.total_hexahedra;
+  return sum;
+}
+
+/// "6, 8, 10", or with more than five numbers "6, 8, ..., 20".
+std::string listed_even(std::uint32_t last) {
+  std::string text;
+  for (std::uint32_t n = 6; n <= last; n += 2) {
+    const bool left_out = last > 14 && n > 8 && n < last;
+    if (left_out && n > 10) continue;
+    text += (n > 6 ? ", " : "") + (left_out ? "..." : std::to_string(n));
+  }
+  return text;
+}
+
+std::string completeness_text(const check::TableVerdict& verdict) {
+  std::string text;
+  if (verdict.complete_through > 0)
+    text += "complete: all 3-connected quadrangulations with " +
+            listed_even(verdict.complete_through) + " quads\n";
+  for (const check::TableRow& row : verdict.by_quads) {
+    if (row.quads <= verdict.complete_through) continue;
+    text += fmt::format("{} quads: {}", row.quads, counted(row.entries, "entry", "entries"));
+    if (row.rooted_all > 0)
+      text += fmt::format(", rooted sum {} of {}, {}", row.rooted_sum, row.rooted_all,
+                          row.is_complete() ? "complete" : "not complete");
+    text += "\n";
+  }
+  return text + (verdict.claimed_through == 0
+                     ? "it makes no claim to be complete\n"
+                     : fmt::format("it claims to be complete through {} quads\n",
+                                   verdict.claimed_through));
+}
+
+std::string json_line(const std::string& path, const Findings& found) {
+  nlohmann::ordered_json json;
+  json["file"] = path;
+  json["accepted"] = found.reason.empty();
+  json["reason"] = found.reason;
+  json["entries"] = found.verdict.entries;
+  json["hexahedra"] = hexahedra_of(found.verdict);
+  json["names"] = found.verdict.names;
+  json["claimed_through"] = found.verdict.claimed_through;
+  json["complete_through"] = found.verdict.complete_through;
+  json["by_quads"] = nlohmann::ordered_json::object();
+  for (const check::TableRow& row : found.verdict.by_quads)
+    json["by_quads"][std::to_string(row.quads)] = {{"entries", row.entries},
+                                                   {"least", row.least_hexahedra},
+                                                   {"greatest", row.greatest_hexahedra},
+                                                   {"total", row.total_hexahedra},
+                                                   {"rooted_sum", row.rooted_sum},
+                                                   {"rooted_all", row.rooted_all},
+                                                   {"complete", row.is_complete()}};
+  json["manifest"] = found.has_manifest;
+  json["census"] = found.has_census;
+  return to_line(json);
+}
+
+}  // namespace
+
+ExitCode table_check(const TableCheckOptions& options) {
+  const std::string path = table_path(options.table);
+  const Findings found = findings_of(path, options.complete_through);
+  const bool accepted = found.reason.empty();
+  if (options.json) {
+    print(json_line(path, found));
+  } else if (!accepted) {
+    print(fmt::format("{}: rejected: {}\n", path, found.reason));
+  } else {
+    print(fmt::format("{}: accepted: {} meshes with {} hexahedra, {} names; {}{}\n{}", path,
+                      found.verdict.entries, hexahedra_of(found.verdict), found.verdict.names,
+                      found.has_manifest ? "as its manifest says" : "no manifest beside it",
+                      found.has_census ? "; as its census says" : "",
+                      completeness_text(found.verdict)));
+  }
+  return accepted ? ExitCode::yes : ExitCode::no;
+}
+
+}  // namespace hexatlas::cli

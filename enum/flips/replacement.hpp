@@ -1,0 +1,96 @@
+#pragma once
+/// \file
+/// Meshes made smaller by exchanging a ball of their hexahedra for a smaller one.
+///
+/// Let G be hexahedra of a mesh M whose union is a ball, and B a ball with the same boundary. The
+/// exchange (M without G) and B obeys the strict rule if and only if no pair of boundary vertices
+/// of G is a scar of both B and the rest of M (docs/theory/proofs/front.md, section 5). Here G
+/// grows hexahedron by hexahedron from a random one, and every ball that it passes is looked up
+/// among the states of a beam.
+///
+/// Source. Exchange of cavities: Verhetsel, Pellerin, Remacle (IMR 2018) by search of each cavity;
+/// the look-up by scars is of this project.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "enum/cells/cube.hpp"
+#include "enum/complex/hex_complex.hpp"
+#include "enum/flips/beam.hpp"
+
+namespace hexatlas::flips {
+
+/// A flip that glues on a certain hexahedron, whose corners (enum/cells/cube.hpp) are the bottom's
+/// and the top's.
+struct PlacedFlip {
+  Flip flip;
+  std::array<cells::CubeVertex, 4> bottom{}, top{};
+};
+
+/// The flip that glues a hexahedron on: `corner` has the boundary vertices at its corners,
+/// kNewVertex at those not on the boundary; `patch` its facets on the boundary. nullopt if these
+/// are no patch of `boundary`. Requires that no two quads of `boundary` have the same vertices.
+[[nodiscard]] std::optional<PlacedFlip> flip_of(const complex::Quadrangulation& boundary,
+                                                const std::array<complex::Vertex, 8>& corner,
+                                                FacetSet patch);
+
+/// A ball of hexahedra inside a mesh, grown one by one.
+class SubBall {
+ public:
+  /// For each hexahedron and facet (enum/cells/cube.hpp) the hexahedron across, or kOutside.
+  static constexpr std::uint32_t kOutside = 0xFFFFFFFF;
+  using Neighbours = std::vector<std::array<std::uint32_t, 6>>;
+  [[nodiscard]] static Neighbours neighbours_of(const complex::HexComplex& mesh);
+
+  /// A single hexahedron. `mesh` obeys the strict rule; it and `neighbours` outlive the ball.
+  SubBall(const complex::HexComplex& mesh, const Neighbours& neighbours, std::uint32_t first);
+
+  /// Adds a hexahedron if the result is a ball whose boundary has at most kMaxSearchQuads quads;
+  /// otherwise says no and changes nothing.
+  bool grow(std::uint32_t cell);
+
+  [[nodiscard]] bool contains(std::uint32_t cell) const noexcept { return inside_[cell]; }
+  [[nodiscard]] const std::vector<std::uint32_t>& cells() const noexcept { return cells_; }
+  [[nodiscard]] const Front& front() const noexcept { return front_; }
+  /// Mesh vertex of a vertex of front().boundary.
+  [[nodiscard]] complex::VertexId rim(complex::Vertex v) const noexcept { return rim_[v]; }
+  /// Vertex of front().boundary at a mesh vertex, or kNewVertex.
+  [[nodiscard]] complex::Vertex boundary_vertex(complex::VertexId v) const noexcept {
+    return on_rim_[v];
+  }
+  /// Of the pairs of boundary vertices those that some hexahedron outside contains.
+  [[nodiscard]] Relation related_outside() const;
+
+ private:
+  const complex::HexComplex& mesh_;
+  const Neighbours& neighbours_;
+  std::vector<bool> inside_;
+  std::vector<std::uint32_t> cells_;
+  Front front_;
+  std::array<complex::VertexId, kMaxFrontQuads + 2> rim_{};
+  std::vector<complex::Vertex> on_rim_;
+};
+
+struct ReplacementOptions {
+  int growths = 100;  ///< balls grown, each from a hexahedron chosen at random
+  std::uint64_t seed = 1;
+};
+
+/// A mesh with the same boundary and fewer hexahedra, or nullopt if none was found. The vertices of
+/// the boundary, 0 .. quads+1, stay; the others are numbered anew; the hexahedra can be taken off
+/// in the order given. Exchanges that leave the number of hexahedra as it is are made on the
+/// way. Requires that the mesh is a ball under the strict rule, right-handed, and that `balls` grew
+/// from the single hexahedron. Deterministic. Safe to call from several threads.
+/// Cost: a few microseconds per ball passed.
+[[nodiscard]] std::optional<complex::HexComplex> smaller_by_replacement(
+    const complex::HexComplex& mesh, int quads, const Beam& balls,
+    const ReplacementOptions& options);
+
+/// Adds the ball to a beam that grew from the single hexahedron, with all balls on the way to it.
+/// `mesh` as above: its hexahedra can be taken off in the order given. Returns the state of the
+/// whole ball or one that dominates it.
+FrontId add_ball(Beam& balls, const complex::HexComplex& mesh, FrontOrigin origin);
+
+}  // namespace hexatlas::flips

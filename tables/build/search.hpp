@@ -1,0 +1,111 @@
+#pragma once
+/// \file
+/// Search for small hexahedral meshes of many boundaries at once: what fills a table.
+///
+/// Method, in rounds. A *sweep* grows balls from the single hexahedron, level by level
+/// (enum/flips/beam.hpp); each boundary reached has a mesh. *Exchange*: of each mesh, balls of its
+/// hexahedra are exchanged for smaller ones that the sweep knows (enum/flips/replacement.hpp).
+/// *Collars*: for the boundaries with the largest meshes, and those without one, hexahedra are
+/// taken off inwards until a known ball fits (enum/flips/meeting.hpp). What exchange and collars
+/// find goes back into the beam, with all balls on the way, and the next sweep goes on from there:
+/// so a mesh one flip away from a smaller one becomes smaller, too.
+///
+/// The search proceeds in steps of seconds to a few minutes. Between two steps it can be saved.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "enum/canon/code.hpp"
+#include "enum/flips/beam.hpp"
+#include "enum/flips/replacement.hpp"
+#include "tables/format/table.hpp"
+
+namespace hexatlas::build {
+
+/// All 3-connected quadrangulations with an even number of quads from 6 to `max_quads`, ascending.
+/// From the generator of enum/quads.
+[[nodiscard]] std::vector<canon::Code> three_connected_codes(int max_quads);
+
+struct SearchOptions {
+  flips::BeamOptions balls;
+  int max_hexahedra = 72;  ///< of a ball
+  int rounds = 2;          ///< each: sweep, exchange, collars
+  int growths = 30;        ///< of exchange, per boundary and round
+  flips::BeamOptions collars;
+  int max_collar = 12;         ///< hexahedra
+  std::size_t collared = 100;  ///< boundaries per round
+};
+
+/// The settings of `hexatlas table build`.
+[[nodiscard]] SearchOptions default_search(std::uint64_t seed, int threads);
+
+/// How the mesh of a boundary was found.
+[[nodiscard]] std::string_view name_of(flips::FrontOrigin origin) noexcept;
+
+class TableSearch {
+ public:
+  /// `targets`: codes of 3-connected quadrangulations with at most kMaxSearchQuads quads.
+  TableSearch(std::vector<canon::Code> targets, const SearchOptions& options);
+
+  enum class Phase : std::uint8_t { sweep, exchange, collars, finished };
+
+  [[nodiscard]] bool is_finished() const noexcept { return phase_ == Phase::finished; }
+  /// Does the next piece of work. Requires that the search is not finished.
+  void step();
+
+  struct Progress {
+    std::string phase;
+    std::size_t done = 0, total = 0;
+  };
+  [[nodiscard]] Progress progress() const;
+
+  struct Row {
+    canon::Code code;
+    int hexahedra = 0;
+    flips::FrontOrigin origin = flips::FrontOrigin::grown;
+  };
+  /// The targets with a mesh so far, ascending.
+  [[nodiscard]] std::vector<Row> rows() const;
+  [[nodiscard]] std::vector<canon::Code> without_mesh() const;
+  /// The mesh of a target, validated under the strict rule and against its boundary (InternalError
+  /// otherwise). Requires that it has one.
+  [[nodiscard]] complex::HexComplex mesh(const canon::Code& target) const;
+  [[nodiscard]] const flips::Beam& balls() const noexcept { return balls_; }
+
+  /// All that is needed to go on as if the search had never stopped, with a digest.
+  [[nodiscard]] std::string to_bytes() const;
+  /// Throws InvalidInput, with `name` for the file, if the bytes are damaged or of a search with
+  /// other targets or options; threads, the limit of memory and the number of rounds may differ. A
+  /// finished search goes on if there are more rounds now.
+  [[nodiscard]] static TableSearch from_bytes(std::string_view bytes,
+                                              std::vector<canon::Code> targets,
+                                              const SearchOptions& options,
+                                              const std::string& name);
+
+ private:
+  void sweep_step();
+  void exchange_step();
+  void collar_step();
+  void begin_collars();
+  void next_round();
+  [[nodiscard]] std::optional<flips::FrontId> smallest(const canon::Code& code) const;
+  [[nodiscard]] int hexahedra(const canon::Code& code) const;  ///< kNone without a mesh
+  [[nodiscard]] std::string settings() const;
+
+  std::vector<canon::Code> targets_;
+  SearchOptions options_;
+  flips::Beam balls_;
+  Phase phase_ = Phase::sweep;
+  int round_ = 0;
+  std::size_t position_ = 0;  ///< next target of the phase
+  int collared_from_ = 0;     ///< targets with so many hexahedra, or more, get collars
+};
+
+/// The rows of a table. Cost: each mesh is made and validated.
+[[nodiscard]] std::vector<format::TableRow> table_rows(const TableSearch& search);
+
+}  // namespace hexatlas::build

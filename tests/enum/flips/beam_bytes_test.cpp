@@ -1,0 +1,91 @@
+// Claim. A beam that was saved and restored goes on as if it had never stopped; bytes that are not
+// what was saved are refused, or every state restored from them has the mesh that it claims.
+// Oracle. The uninterrupted search; meshes by sets.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "enum/core/errors.hpp"
+#include "enum/flips/meeting.hpp"
+#include "enum/flips/replacement.hpp"
+#include "tests/enum/support.hpp"
+
+namespace {
+
+using namespace hexatlas;
+using flips::Beam;
+
+const flips::State kSingle = flips::canonical_state(flips::single_hexahedron()).state;
+
+flips::BeamOptions narrow() {
+  flips::BeamOptions options;
+  options.max_quads = 20;
+  options.fronts_per_class = 4;
+  options.fronts_per_level = 150;
+  return options;
+}
+
+Beam restored(const std::string& bytes, const flips::BeamOptions& options = narrow()) {
+  return Beam::from_bytes(bytes, kSingle, options, "saved");
+}
+
+TEST(SavedBeam, GoesOnAsIfItHadNeverStopped) {
+  Beam beam(kSingle, narrow());
+  for (int level = 0; level < 20; ++level) {
+    const std::string bytes = beam.to_bytes();
+    flips::BeamOptions threads = narrow();
+    threads.threads = 1 + level % 3;
+    Beam other = restored(bytes, threads);
+    EXPECT_EQ(other.to_bytes(), bytes);
+    (void)beam.expand_level();
+    (void)other.expand_level();
+    ASSERT_EQ(other.to_bytes(), beam.to_bytes()) << level;
+  }
+  EXPECT_FALSE(beam.is_exhaustive());
+  beam.rewind();
+  Beam again = restored(beam.to_bytes());
+  for (int level = 0; level < 20; ++level) {
+    (void)beam.expand_level();
+    (void)again.expand_level();
+  }
+  EXPECT_EQ(again.to_bytes(), beam.to_bytes());
+}
+
+TEST(SavedBeam, OfOtherOptionsOrCutShortIsRefused) {
+  Beam beam(kSingle, narrow());
+  for (int level = 0; level < 8; ++level) (void)beam.expand_level();
+  const std::string bytes = beam.to_bytes();
+  flips::BeamOptions other = narrow();
+  other.seed = 2;
+  EXPECT_THROW((void)restored(bytes, other), core::InvalidInput);
+  other = narrow();
+  other.max_quads = 22;
+  EXPECT_THROW((void)restored(bytes, other), core::InvalidInput);
+  for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 40)
+    EXPECT_THROW((void)restored(bytes.substr(0, size)), core::InvalidInput) << size;
+  EXPECT_THROW((void)restored(bytes + "x"), core::InvalidInput);
+}
+
+TEST(SavedBeam, NeverGivesAMeshThatIsNone) {
+  Beam beam(kSingle, narrow());
+  for (int level = 0; level < 9; ++level) (void)beam.expand_level();
+  const std::string bytes = beam.to_bytes();
+  std::mt19937_64 random(3);
+  std::size_t refused = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    std::string damaged = bytes;
+    damaged[random() % damaged.size()] ^= static_cast<char>(1U << random() % 8);
+    try {
+      const Beam other = restored(damaged);
+      for (const auto& code : other.codes())
+        for (const auto& record : other.fronts_of(code))
+          ASSERT_EQ(support::fault_of_filling(flips::filling_of(other, record.id).mesh, code), "");
+    } catch (const core::InvalidInput&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 50U);
+}
+
+}  // namespace

@@ -1,0 +1,145 @@
+// Claim. three_connected_codes() lists the 3-connected quadrangulations with an even number of
+// quads; a search finds checked meshes, the same for any number of threads, and the same after it
+// was saved and taken up again anywhere. Oracle. Vertex splits of tests/oracles; meshes checked by
+// sets and by the judge; the uninterrupted search.
+#include "tables/build/search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "enum/core/errors.hpp"
+#include "tables/check/table_check.hpp"
+#include "tests/counts/known_counts.hpp"
+#include "tests/enum/support.hpp"
+
+namespace {
+
+using namespace hexatlas;
+using build::TableSearch;
+
+TEST(ThreeConnectedCodes, AreThoseOfVertexSplits) {
+  std::set<canon::Code> expected;
+  auto level = support::four_cycle_class();
+  for (int n = 3; n <= 12; ++n) {
+    level = support::grown(level);
+    for (const auto& [code, map] : level)
+      if (n % 2 == 0 && oracle::is_three_connected(map)) expected.insert(code);
+  }
+  const auto codes = build::three_connected_codes(12);
+  EXPECT_TRUE(std::equal(codes.begin(), codes.end(), expected.begin(), expected.end()));
+  EXPECT_TRUE(std::is_sorted(codes.begin(), codes.end()));
+}
+
+TEST(ThreeConnectedCodes, AreAsManyAsKnown) {
+  std::map<int, std::uint64_t> counted;
+  for (const auto& code : build::three_connected_codes(14)) ++counted[code.quads];
+  auto expected = counts::known("three_connected_quadrangulations", 6, 14);
+  std::erase_if(expected, [](const auto& row) { return row.first % 2 == 1; });
+  EXPECT_EQ(counted, expected);
+}
+
+build::SearchOptions small(int threads) {
+  build::SearchOptions options = build::default_search(1, threads);
+  options.balls.max_quads = options.collars.max_quads = 20;
+  options.balls.fronts_per_class = 6;
+  options.balls.fronts_per_level = 400;
+  options.max_hexahedra = 40;
+  options.growths = 4;
+  options.collars.fronts_per_level = 60;
+  options.max_collar = 3;
+  options.collared = 3;
+  return options;
+}
+
+std::string table_of(const TableSearch& search) {
+  return format::table_bytes(build::table_rows(search), {});
+}
+
+TEST(TableSearch, FillsWhatItSays) {
+  const auto codes = build::three_connected_codes(14);
+  TableSearch search(codes, small(1));
+  std::set<std::string> phases;
+  while (!search.is_finished()) {
+    const auto progress = search.progress();
+    EXPECT_LE(progress.done, progress.total);
+    phases.insert(progress.phase);
+    search.step();
+  }
+  EXPECT_EQ(phases.size(), 6U);
+  const auto rows = build::table_rows(search);
+  EXPECT_EQ(rows.size() + search.without_mesh().size(), codes.size());
+  EXPECT_GE(rows.size(), 8U);
+  const auto found = search.rows();
+  ASSERT_EQ(found.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i].code, found[i].code);
+    EXPECT_EQ(rows[i].mesh.hexahedra.size(), static_cast<std::size_t>(found[i].hexahedra));
+    EXPECT_EQ(support::fault_of_filling(rows[i].mesh, rows[i].code), "");
+    EXPECT_EQ(rows[i].lower_bound, 1);
+  }
+  const auto verdict = check::check_table_bytes(table_of(search));
+  EXPECT_TRUE(verdict.accepted) << verdict.reason;
+}
+
+TEST(TableSearch, IsTheSameForAnyThreadsAndAfterAnyInterruption) {
+  const auto codes = build::three_connected_codes(10);
+  TableSearch whole(codes, small(1));
+  while (!whole.is_finished()) whole.step();
+  const std::string expected = whole.to_bytes();
+
+  TableSearch interrupted(codes, small(2));
+  for (int step = 0; !interrupted.is_finished(); ++step) {
+    interrupted.step();
+    if (step % 7 == 0)
+      interrupted =
+          TableSearch::from_bytes(interrupted.to_bytes(), codes, small(1 + step % 3), "saved");
+  }
+  EXPECT_EQ(interrupted.to_bytes(), expected);
+  EXPECT_EQ(table_of(interrupted), table_of(whole));
+}
+
+TEST(TableSearch, MayGoOnForFurtherRounds) {
+  const auto codes = build::three_connected_codes(10);
+  build::SearchOptions options = small(1);
+  options.rounds = 3;
+  TableSearch whole(codes, options);
+  while (!whole.is_finished()) whole.step();
+  options.rounds = 1;
+  TableSearch first(codes, options);
+  while (!first.is_finished()) first.step();
+  options.rounds = 3;
+  auto longer = TableSearch::from_bytes(first.to_bytes(), codes, options, "saved");
+  EXPECT_FALSE(longer.is_finished());
+  while (!longer.is_finished()) longer.step();
+  EXPECT_EQ(longer.to_bytes(), whole.to_bytes());
+}
+
+TEST(TableSearch, RefusesWhatIsNotItsOwn) {
+  const auto codes = build::three_connected_codes(10);
+  TableSearch search(codes, small(1));
+  for (int step = 0; step < 12; ++step) search.step();
+  const std::string bytes = search.to_bytes();
+  const auto restore = [&](const std::string& saved) {
+    (void)TableSearch::from_bytes(saved, codes, small(1), "saved");
+  };
+  EXPECT_NO_THROW(restore(bytes));
+  for (std::size_t at = 0; at < bytes.size(); at += 1 + bytes.size() / 300) {
+    std::string damaged = bytes;
+    damaged[at] ^= 1;
+    EXPECT_THROW(restore(damaged), core::InvalidInput) << at;
+    EXPECT_THROW(restore(bytes.substr(0, at)), core::InvalidInput) << at;
+  }
+  auto fewer = codes;
+  fewer.pop_back();
+  EXPECT_THROW((void)TableSearch::from_bytes(bytes, fewer, small(1), "saved"), core::InvalidInput);
+  build::SearchOptions other = small(1);
+  other.growths = 5;
+  EXPECT_THROW((void)TableSearch::from_bytes(bytes, codes, other, "saved"), core::InvalidInput);
+}
+
+}  // namespace
