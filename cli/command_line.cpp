@@ -169,6 +169,10 @@ void add_table_readers(CLI::App& table, Action& action) {
   name->excludes(code);
   get->add_option("--table", get_options->table, "Table [the one beside the program]");
   get->add_option("-o,--output", get_options->output, "File to write [standard output]");
+  get->add_flag(
+      "--search", get_options->search,
+      "If the boundary is not in the table, search for a way from it to one that is; at most "
+      "26 quads");
   get->footer(example("hexatlas table get --name schneiders-pyramid"));
   get->callback([get_options, &action] {
     if (get_options->name.empty() == get_options->code.empty())

@@ -73,6 +73,7 @@ struct TableInfoOptions {
 
 struct TableGetOptions {
   std::string table, name, code, output;
+  bool search = false;
 };
 [[nodiscard]] ExitCode table_get(const TableGetOptions& options);
 

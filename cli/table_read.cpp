@@ -12,7 +12,10 @@
 #include "enum/complex/quadrangulation.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
+#include "enum/flips/scars.hpp"
+#include "enum/parallel/parallel_for.hpp"
 #include "tables/build/named.hpp"
+#include "tables/build/query.hpp"
 #include "tables/format/manifest.hpp"
 
 namespace hexatlas::cli {
@@ -114,6 +117,15 @@ void expect_canonical(const std::string& word, const complex::Quadrangulation& b
     throw core::InvalidInput(word, "is not canonical; the code of this boundary is " + code);
 }
 
+/// A mesh for a boundary that the table does not have.
+std::optional<complex::HexComplex> searched(const format::Table& table, const canon::Code& code) {
+  if (code.quads > flips::kMaxSearchQuads)
+    throw core::InvalidInput(
+        canon::to_text(code),
+        fmt::format("has {} quads; a search takes at most {}", code.quads, flips::kMaxSearchQuads));
+  return build::fill_through(table, code, {.threads = parallel::available_threads()});
+}
+
 }  // namespace
 
 ExitCode table_get(const TableGetOptions& options) {
@@ -129,21 +141,23 @@ ExitCode table_get(const TableGetOptions& options) {
   const canon::Code code = options.name.empty() ? canon::from_text(options.code).value()
                                                 : code_of_name(options.name, table);
   const auto ordinal = table.find(code);
-  if (!ordinal) {
-    say(fmt::format("{} ({} quads) is not in {}", canon::to_text(code), code.quads, table.path()));
+  std::optional<complex::HexComplex> mesh;
+  if (ordinal) mesh = table.mesh(*ordinal);
+  if (!ordinal && options.search) mesh = searched(table, code);
+  if (!mesh) {
+    say(fmt::format("{} ({} quads) is not in {}{}", canon::to_text(code), code.quads, table.path(),
+                    options.search ? ", and no way from it to a mesh there was found" : ""));
     return ExitCode::undecided;
   }
-  const format::TableEntry entry = table.entry(*ordinal);
-  const complex::HexComplex mesh = table.mesh(*ordinal);
   nlohmann::ordered_json json;
   json["code"] = canon::to_text(code);
-  json["quads"] = entry.code.quads;
-  json["hexahedra"] = entry.hexahedra;
-  json["interior_vertices"] = entry.interior_vertices;
-  json["lower_bound"] = entry.lower_bound;
+  json["quads"] = code.quads;
+  json["hexahedra"] = mesh->hexahedra.size();
+  json["interior_vertices"] = mesh->vertices - code.quads - 2U;
+  json["lower_bound"] = ordinal ? table.entry(*ordinal).lower_bound : 1;
   if (!options.name.empty()) json["literature"] = literature(options.name);
   json["boundary"] = canon::decode(code).value().list_of_quads();
-  json["cells"] = mesh.hexahedra;
+  json["cells"] = mesh->hexahedra;
   core::write_file(options.output.empty() ? "-" : options.output, to_line(json));
   return ExitCode::yes;
 }

@@ -78,6 +78,42 @@ bool may_glue(const Front& front, Flip flip, const Prism& prism) noexcept {
   return true;
 }
 
+std::uint16_t possible_sides(const Front& front, complex::Quad bottom) noexcept {
+  const Quadrangulation& q = front.boundary;
+  const QuadVertices b = q.vertices_of(bottom);
+  unsigned allowed = 0;             // sides that some set may have
+  std::array<unsigned, 4> needs{};  // sides that a set with this one must have, too
+  unsigned joined = 0;              // bit i: sides i - 1 and i meet in an edge at b_i
+  std::array<complex::Dart, 4> side{};
+  for (int i = 0; i < 4; ++i)
+    side[static_cast<std::size_t>(i)] = q.twin(Quadrangulation::dart(bottom, i));
+  for (unsigned i = 0; i < 4; ++i) {
+    const unsigned after = (i + 1) % 4, before = (i + 3) % 4;
+    const VertexSet left = front.related[q.origin(Quadrangulation::opposite(side[i]))];
+    const VertexSet right = front.related[q.origin(Quadrangulation::prev(side[i]))];
+    if (q.twin(Quadrangulation::next(side[i])) == Quadrangulation::prev(side[before]))
+      joined |= 1U << i;
+    // The top vertices over b_i and b_(i+1) share no quad of a patch with the corners across.
+    if ((left & bit(b[(i + 2) % 4])) != 0 || (right & bit(b[before])) != 0) continue;
+    allowed |= 1U << i;
+    // They may share one with the other neighbours, if the side there belongs to the patch.
+    if ((left & bit(b[before])) != 0) needs[i] |= 1U << before;
+    if ((right & bit(b[(i + 2) % 4])) != 0) needs[i] |= 1U << after;
+  }
+  unsigned result = 0;
+  for (unsigned sides = 0; sides < kSideSets; ++sides) {
+    bool is_possible = (sides & ~allowed) == 0;
+    for (unsigned i = 0; i < 4; ++i) {
+      if ((sides >> i & 1U) == 0) continue;
+      const bool has_before = (sides >> (i + 3) % 4 & 1U) != 0;
+      is_possible =
+          is_possible && (needs[i] & ~sides) == 0 && (!has_before || (joined >> i & 1U) != 0);
+    }
+    if (is_possible) result |= 1U << sides;
+  }
+  return static_cast<std::uint16_t>(result);
+}
+
 Glued glued(const Front& front, Flip flip, const Prism& prism) {
   Glued result{.front = {}, .flipped = flipped(front.boundary, flip, prism)};
   const Flipped& made = result.flipped;

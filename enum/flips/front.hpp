@@ -14,6 +14,7 @@
 /// two balls with the same boundary, and fewer scars permit more.
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -56,6 +57,10 @@ struct Glued {
 };
 [[nodiscard]] Glued glued(const Front& front, Flip flip, const Prism& prism);
 
+/// The sets of sides, one bit each, that pass some cheap necessary conditions for prism_of() and
+/// may_glue(): a test of most of the 16 sets at once. Cost: that of one or two may_glue().
+[[nodiscard]] std::uint16_t possible_sides(const Front& front, complex::Quad bottom) noexcept;
+
 /// Calls visit(flip, prism) for each hexahedron that may be glued on so that the boundary has
 /// at least 6 and at most `max_quads` quads; once per patch, in increasing order of
 /// (bottom, sides). Requires max_quads <= kMaxFrontQuads.
@@ -63,8 +68,10 @@ template <class Visit>
 void for_each_glueable(const Front& front, int max_quads, Visit&& visit) {
   const int quads = front.boundary.quads();
   for (int bottom = 0; bottom < quads; ++bottom)
-    for (unsigned sides = 0; sides < kSideSets; ++sides) {
-      const Flip flip{static_cast<complex::Quad>(bottom), static_cast<std::uint8_t>(sides)};
+    for (unsigned left = possible_sides(front, static_cast<complex::Quad>(bottom)); left != 0;
+         left &= left - 1) {
+      const auto sides = static_cast<std::uint8_t>(std::countr_zero(left));
+      const Flip flip{static_cast<complex::Quad>(bottom), sides};
       const int after = quads + 6 - 2 * flip.consumed();
       if (after < 6 || after > max_quads) continue;
       const std::optional<Prism> prism = prism_of(front.boundary, flip);

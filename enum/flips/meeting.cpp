@@ -48,7 +48,8 @@ complex::HexComplex renumbered(std::vector<Hexahedron> cells, std::uint32_t vert
 }
 
 struct Meeting {
-  FrontId ball;
+  canon::Code boundary;
+  std::size_t ball = 0;  ///< its place among those of the boundary
   FrontId collar;
   Automorphism turn;
   int hexahedra = 0;
@@ -61,7 +62,7 @@ struct Fillings {
     std::uint32_t ball = 0;  ///< index into `balls`
     std::uint32_t turn = 0;  ///< index into `automorphisms`
   };
-  std::vector<FrontRecord> balls;
+  std::vector<KnownBall> balls;
   std::vector<Automorphism> automorphisms;
   std::vector<Position> positions;  ///< in order of level
 };
@@ -69,7 +70,7 @@ struct Fillings {
 /// Looks the cavities of one level of collars up among the balls.
 class Matcher {
  public:
-  Matcher(const Beam& balls, int below, int threads)
+  Matcher(const BallSource& balls, int below, int threads)
       : balls_(balls), below_(below), threads_(threads) {}
 
   /// Keeps the least meeting; of equal ones that of the first collar and its first position.
@@ -103,7 +104,7 @@ class Matcher {
     const auto [place, is_new] = known_.try_emplace(code);
     if (!is_new) return;
     Fillings& own = place->second;
-    own.balls = balls_.fronts_of(code);
+    own.balls = balls_.balls_with(code);
     if (own.balls.empty()) return;
     own.automorphisms = automorphisms_of(code);
     for (std::uint32_t ball = 0; ball < own.balls.size(); ++ball)
@@ -115,25 +116,25 @@ class Matcher {
     const State cavity = collars.state(collar);
     const Fillings& own = known_.at(cavity.code);
     for (const Fillings::Position& position : own.positions) {
-      const FrontRecord& ball = own.balls[position.ball];
-      const int hexahedra = collars.level_of(collar) + ball.level + 1;
+      const int hexahedra = collars.level_of(collar) + own.balls[position.ball].hexahedra;
       if (hexahedra >= below) return std::nullopt;
       if (position.scars.is_disjoint_from(cavity.scars))
-        return Meeting{ball.id, collar, own.automorphisms[position.turn], hexahedra};
+        return Meeting{cavity.code, position.ball, collar, own.automorphisms[position.turn],
+                       hexahedra};
     }
     return std::nullopt;
   }
 
-  const Beam& balls_;
+  const BallSource& balls_;
   int below_;
   int threads_;
   std::optional<Meeting> best_;
   std::unordered_map<canon::Code, Fillings> known_;
 };
 
-Filling assemble(const Beam& balls, const Beam& collars, const Meeting& meeting) {
+Filling assemble(const BallSource& balls, const Beam& collars, const Meeting& meeting) {
   const Layers collar = layers_along(collars, meeting.collar, Growth::inward);
-  Layers ball = layers_along(balls, meeting.ball, Growth::outward);
+  Layers ball = balls.layers_of(meeting.boundary, meeting.ball);
   // Rim vertex v of the ball is rim vertex turn(v) of the collar.
   constexpr std::uint32_t kInterior = 0xFFFFFFFF;
   std::vector<std::uint32_t> number(ball.vertices, kInterior);
@@ -167,7 +168,30 @@ Filling filling_of(const Beam& balls, FrontId id) {
   return {renumbered(std::move(layers.hexahedra), layers.vertices, layers.rim)};
 }
 
-std::optional<Filling> best_meeting(const Beam& balls, const canon::Code& target,
+std::vector<KnownBall> BeamBalls::balls_with(const canon::Code& boundary) const {
+  std::vector<KnownBall> result;
+  for (const FrontRecord& front : beam_.fronts_of(boundary))
+    result.push_back({front.level + 1, front.scars});
+  return result;
+}
+
+Layers BeamBalls::layers_of(const canon::Code& boundary, std::size_t ball) const {
+  return layers_along(beam_, beam_.fronts_of(boundary)[ball].id, Growth::outward);
+}
+
+Scars scars_of(const complex::HexComplex& mesh, const complex::Quadrangulation& boundary) {
+  const Relation quads = relation_of_quads(boundary);
+  const auto on_boundary = static_cast<std::uint32_t>(boundary.vertices());
+  Scars scars;
+  for (const Hexahedron& cell : mesh.hexahedra)
+    for (const std::uint32_t a : cell)
+      for (const std::uint32_t b : cell)
+        if (a < b && b < on_boundary && (quads[a] & bit(static_cast<complex::Vertex>(b))) == 0)
+          scars.add(static_cast<complex::Vertex>(a), static_cast<complex::Vertex>(b));
+  return scars;
+}
+
+std::optional<Filling> best_meeting(const BallSource& balls, const canon::Code& target,
                                     const MeetingOptions& options) {
   const auto boundary = canon::decode(target);
   core::expects(boundary && boundary->is_three_connected(),
@@ -177,7 +201,7 @@ std::optional<Filling> best_meeting(const Beam& balls, const canon::Code& target
   std::size_t size = 1;
   for (int depth = 0; depth <= options.max_collar && size > 0; ++depth) {
     if (depth > 0) size = collars.expand_level();
-    if (depth + 1 >= matcher.below()) break;
+    if (depth + 1 >= matcher.below() || (options.first && matcher.best())) break;
     matcher.match_level(collars);
   }
   if (!matcher.best()) return std::nullopt;

@@ -27,18 +27,56 @@ struct Filling {
 /// The ball of one state of a beam that was grown from the single hexahedron.
 [[nodiscard]] Filling filling_of(const Beam& balls, FrontId id);
 
+/// A ball known with a certain boundary: what a meeting needs to know before it is made.
+struct KnownBall {
+  int hexahedra = 0;
+  Scars scars;  ///< in canonical labels of the boundary
+};
+
+/// Where a meeting takes its balls from.
+class BallSource {
+ public:
+  BallSource() = default;
+  BallSource(const BallSource&) = delete;
+  BallSource& operator=(const BallSource&) = delete;
+  BallSource(BallSource&&) = delete;
+  BallSource& operator=(BallSource&&) = delete;
+  virtual ~BallSource() = default;
+  /// The balls known with this boundary, fewest hexahedra first.
+  [[nodiscard]] virtual std::vector<KnownBall> balls_with(const canon::Code& boundary) const = 0;
+  /// One of them, by its place in balls_with().
+  [[nodiscard]] virtual Layers layers_of(const canon::Code& boundary, std::size_t ball) const = 0;
+};
+
+/// The balls of a beam that was grown from the single hexahedron, which must outlive this.
+class BeamBalls final : public BallSource {
+ public:
+  explicit BeamBalls(const Beam& beam) : beam_(beam) {}
+  [[nodiscard]] std::vector<KnownBall> balls_with(const canon::Code& boundary) const override;
+  [[nodiscard]] Layers layers_of(const canon::Code& boundary, std::size_t ball) const override;
+
+ private:
+  const Beam& beam_;
+};
+
+/// The scars of a mesh whose vertices 0 .. quads+1 are those of `boundary` in canonical labels.
+[[nodiscard]] Scars scars_of(const complex::HexComplex& mesh,
+                             const complex::Quadrangulation& boundary);
+
 struct MeetingOptions {
   BeamOptions collars;  ///< limits of the collars' beam
   int max_collar = 12;  ///< hexahedra
   int below = 1 << 14;  ///< only fillings with fewer hexahedra are of interest
+  bool first = false;   ///< be content with the least filling by the thinnest collars that have one
 };
 
 /// The least filling of `target` among all meetings of a collar with a ball of `balls`, or
-/// nullopt. Requires that `balls` was grown from the single hexahedron and that `target` is the
-/// code of a 3-connected quadrangulation: the scars say nothing of faults of the boundary itself.
-/// Not promised: minimality beyond what the two beams contain.
+/// nullopt. Requires that `target` is the code of a 3-connected quadrangulation: the scars say
+/// nothing of faults of the boundary itself.
+/// Not promised: minimality beyond what the beam and the balls contain.
 /// Deterministic for given options, for any number of threads.
-[[nodiscard]] std::optional<Filling> best_meeting(const Beam& balls, const canon::Code& target,
+[[nodiscard]] std::optional<Filling> best_meeting(const BallSource& balls,
+                                                  const canon::Code& target,
                                                   const MeetingOptions& options);
 
 }  // namespace hexatlas::flips

@@ -12,6 +12,7 @@
 #include "enum/flips/meeting.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "enum/quads/generate.hpp"
+#include "tables/build/filled.hpp"
 #include "tables/format/sha256.hpp"
 
 namespace hexatlas::build {
@@ -22,21 +23,6 @@ constexpr int kNone = 1 << 14;  ///< more than any mesh has
 
 flips::State single_hexahedron() {
   return flips::canonical_state(flips::single_hexahedron()).state;
-}
-
-/// A mesh leaves the search only if it obeys the laws and has the boundary asked for.
-void ensure_fills(const complex::HexComplex& mesh, const canon::Code& code) {
-  if (const auto law = complex::validate(mesh))
-    throw core::InternalError("a mesh found for " + canon::to_text(code) +
-                              " breaks a law: " + law->reason);
-  std::vector<complex::BoundaryQuad> wanted;
-  const auto boundary = canon::decode(code).value();
-  for (int q = 0; q < boundary.quads(); ++q) {
-    const auto v = boundary.vertices_of(q);
-    wanted.push_back({v[0], v[1], v[2], v[3]});
-  }
-  core::ensures(complex::has_boundary(mesh, std::move(wanted)),
-                "a mesh found has the boundary it was found for");
 }
 
 flips::BeamOptions limits(std::size_t per_class, std::size_t per_level, std::uint64_t seed,
@@ -176,7 +162,7 @@ void TableSearch::collar_step() {
   const canon::Code& code = targets_[position_++];
   flips::MeetingOptions options{
       .collars = options_.collars, .max_collar = options_.max_collar, .below = hexahedra(code)};
-  if (const auto filling = flips::best_meeting(balls_, code, options))
+  if (const auto filling = flips::best_meeting(flips::BeamBalls(balls_), code, options))
     (void)flips::add_ball(balls_, filling->mesh, flips::FrontOrigin::met);
 }
 

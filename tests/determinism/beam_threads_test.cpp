@@ -32,8 +32,9 @@ Trace trace(BeamOptions options, int threads, int levels) {
     for (const auto& record : beam.fronts_of(code))
       result.records.emplace_back(code, record.level, record.id, record.scars);
   result.candidates = beam.candidates();
-  const auto filling = flips::best_meeting(beam, canon::from_text("q1:088a2a5ddf7f").value(),
-                                           {.collars = options, .max_collar = 3});
+  const auto filling =
+      flips::best_meeting(flips::BeamBalls(beam), canon::from_text("q1:088a2a5ddf7f").value(),
+                          {.collars = options, .max_collar = 3});
   if (filling) result.mesh = filling->mesh.hexahedra;
   return result;
 }

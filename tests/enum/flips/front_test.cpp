@@ -64,6 +64,9 @@ TEST(Front, GluesExactlyWhatGivesAStrictBall) {
             static_cast<std::size_t>(front.boundary.quads() + 6 - 2 * flip.consumed());
         const bool expected = is_ball_with(cells, cell_of(shelling, prism), after);
         ASSERT_EQ(flips::may_glue(front, flip, prism), expected);
+        if (expected) {
+          ASSERT_NE(flips::possible_sides(front, flip.bottom) >> flip.sides & 1U, 0U);
+        }
         ++(expected ? yes : no);
       }
       candidates = support::candidate_flips(front.boundary, max_quads);

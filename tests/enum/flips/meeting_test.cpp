@@ -35,7 +35,7 @@ TEST(Meeting, SmallBoundariesGetTheirLeastMeshes) {
   for (const auto& [text, least] :
        {std::pair("q1:08a5df", 1U), {"q1:022972977f", 2U}, {"q1:088a2a5ddf7f", 4U}}) {
     const auto code = canon::from_text(text).value();
-    const auto filling = flips::best_meeting(beam, code, options);
+    const auto filling = flips::best_meeting(flips::BeamBalls(beam), code, options);
     ASSERT_TRUE(filling.has_value()) << text;
     EXPECT_EQ(filling->mesh.hexahedra.size(), least) << text;
     EXPECT_EQ(support::fault_of_filling(filling->mesh, code), "") << text;
@@ -51,12 +51,13 @@ TEST(Meeting, CollarsReachWhatBallsDoNot) {
   for (int i = 0; i < 25; ++i) {
     const auto shelling = support::random_shelling(9 + random.below(4), 20, random);
     const auto code = canon::canonical_form(shelling.front().boundary).code;
-    const auto filling = flips::best_meeting(beam, code, options);
+    const auto filling = flips::best_meeting(flips::BeamBalls(beam), code, options);
     if (!filling) continue;
     ++found;
     EXPECT_EQ(support::fault_of_filling(filling->mesh, code), "") << canon::to_text(code);
     options.below = static_cast<int>(filling->mesh.hexahedra.size());
-    EXPECT_FALSE(flips::best_meeting(beam, code, options).has_value()) << "a better one was missed";
+    EXPECT_FALSE(flips::best_meeting(flips::BeamBalls(beam), code, options).has_value())
+        << "a better one was missed";
     options.below = 1 << 14;
   }
   EXPECT_GT(found, 10);
@@ -67,7 +68,7 @@ TEST(Meeting, NeedsA3ConnectedBoundary) {
   const oracle::QuadList folded{{0, 1, 5, 4}, {4, 5, 7, 6}, {1, 3, 7, 5}, {3, 2, 6, 7},
                                 {2, 0, 4, 6}, {0, 2, 3, 8}, {0, 8, 3, 9}, {0, 9, 3, 1}};
   const auto q = complex::Quadrangulation::from_quads(folded).value();
-  EXPECT_THROW((void)flips::best_meeting(beam, canon::canonical_form(q).code,
+  EXPECT_THROW((void)flips::best_meeting(flips::BeamBalls(beam), canon::canonical_form(q).code,
                                          {.collars = limits(16, 10, 100)}),
                core::PreconditionViolated);
 }

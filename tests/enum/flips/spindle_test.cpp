@@ -22,7 +22,7 @@ TEST(Spindle, IsFilled) {
   flips::MeetingOptions meeting{.collars = options, .max_collar = 10};
   meeting.collars.fronts_per_level = 3'000;
   const auto code = canon::from_text("q1:088a577f").value();
-  const auto filling = flips::best_meeting(balls, code, meeting);
+  const auto filling = flips::best_meeting(flips::BeamBalls(balls), code, meeting);
   ASSERT_TRUE(filling.has_value());
   EXPECT_EQ(support::fault_of_filling(filling->mesh, code), "");
   RecordProperty("hexahedra", static_cast<int>(filling->mesh.hexahedra.size()));

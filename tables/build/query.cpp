@@ -1,0 +1,66 @@
+#include "tables/build/query.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "enum/core/checks.hpp"
+#include "enum/flips/meeting.hpp"
+#include "tables/build/filled.hpp"
+
+namespace hexatlas::build {
+namespace {
+
+class TableBalls final : public flips::BallSource {
+ public:
+  explicit TableBalls(const format::Table& table) : table_(table) {}
+
+  [[nodiscard]] std::vector<flips::KnownBall> balls_with(
+      const canon::Code& boundary) const override {
+    const auto ordinal = table_.find(boundary);
+    if (!ordinal) return {};
+    const complex::HexComplex mesh = table_.mesh(*ordinal);
+    return {{static_cast<int>(mesh.hexahedra.size()),
+             flips::scars_of(mesh, canon::decode(boundary).value())}};
+  }
+
+  [[nodiscard]] flips::Layers layers_of(const canon::Code& boundary,
+                                        std::size_t /*the only one*/) const override {
+    complex::HexComplex mesh = table_.mesh(table_.find(boundary).value());
+    flips::Layers layers;
+    // A record takes hexahedra off; layers are put on.
+    std::reverse(mesh.hexahedra.begin(), mesh.hexahedra.end());
+    layers.hexahedra = std::move(mesh.hexahedra);
+    layers.vertices = mesh.vertices;
+    layers.rim.resize(static_cast<std::size_t>(boundary.quads) + 2);
+    std::iota(layers.rim.begin(), layers.rim.end(), 0U);
+    return layers;
+  }
+
+ private:
+  const format::Table& table_;
+};
+
+}  // namespace
+
+std::optional<complex::HexComplex> fill_through(const format::Table& table,
+                                                const canon::Code& boundary,
+                                                const QueryOptions& options) {
+  core::expects(boundary.quads % 2 == 0 && boundary.quads <= flips::kMaxSearchQuads,
+                "a query has an even number of at most 26 quads");
+  flips::MeetingOptions meeting;
+  meeting.max_collar = options.max_collar;
+  meeting.first = true;
+  meeting.collars.max_quads = std::min(flips::kMaxSearchQuads, boundary.quads + 2);
+  meeting.collars.fronts_per_level = options.collars_per_level;
+  meeting.collars.seed = options.seed;
+  meeting.collars.threads = options.threads;
+  auto filling = flips::best_meeting(TableBalls(table), boundary, meeting);
+  if (!filling) return std::nullopt;
+  ensure_fills(filling->mesh, boundary);
+  return std::move(filling->mesh);
+}
+
+}  // namespace hexatlas::build

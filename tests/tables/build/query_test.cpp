@@ -1,0 +1,70 @@
+// Claim. A boundary that is not in a table is filled by way of one that is: the mesh obeys the
+// strict rule and has this boundary; the same for any number of threads; where no way is found,
+// nothing is given. Oracle. Meshes checked by sets.
+#include "tables/build/query.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "enum/flips/meeting.hpp"
+#include "tests/enum/support.hpp"
+
+namespace {
+
+using namespace hexatlas;
+
+/// Meshes of the classes that few hexahedra reach, with at most 14 quads.
+format::Table small_table() {
+  flips::BeamOptions options;
+  options.max_quads = 20;
+  options.fronts_per_level = 2'000;
+  flips::Beam beam(flips::canonical_state(flips::single_hexahedron()).state, options);
+  while (beam.level() < 9 && beam.expand_level() > 0) {
+  }
+  std::vector<format::TableRow> rows;
+  for (const auto& code : beam.codes())
+    if (code.quads <= 14)
+      rows.push_back({code, flips::filling_of(beam, beam.fronts_of(code)[0].id).mesh, 1});
+  return format::Table::from_bytes(format::table_bytes(rows, {}), "table");
+}
+
+TEST(Query, FillsBoundariesByWayOfTheTable) {
+  const format::Table table = small_table();
+  flips::BeamOptions wide;
+  wide.max_quads = 20;
+  flips::Beam beam(flips::canonical_state(flips::single_hexahedron()).state, wide);
+  while (beam.level() < 5) (void)beam.expand_level();
+  std::size_t asked = 0, filled = 0;
+  for (const auto& code : beam.codes()) {
+    if (code.quads < 16) continue;
+    ++asked;
+    build::QueryOptions options{.max_collar = 5, .collars_per_level = 200};
+    const auto mesh = build::fill_through(table, code, options);
+    if (!mesh) continue;
+    ++filled;
+    EXPECT_EQ(support::fault_of_filling(*mesh, code), "") << canon::to_text(code);
+    options.threads = 3;
+    EXPECT_EQ(build::fill_through(table, code, options)->hexahedra, mesh->hexahedra);
+  }
+  EXPECT_GT(asked, 20U);
+  EXPECT_GT(filled, asked / 2);
+}
+
+TEST(Query, GivesWhatIsInTheTable) {
+  const format::Table table = small_table();
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const auto mesh = build::fill_through(table, table.entry(i).code);
+    ASSERT_TRUE(mesh);
+    EXPECT_EQ(mesh->hexahedra.size(), table.entry(i).hexahedra);
+    EXPECT_EQ(support::fault_of_filling(*mesh, table.entry(i).code), "");
+  }
+}
+
+TEST(Query, MayFindNothing) {
+  const format::Table empty = format::Table::from_bytes(format::table_bytes({}, {}), "empty");
+  const auto spindle = canon::from_text("q1:088a577f").value();
+  EXPECT_FALSE(build::fill_through(empty, spindle, {.max_collar = 3, .collars_per_level = 50}));
+}
+
+}  // namespace
