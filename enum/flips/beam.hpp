@@ -30,7 +30,7 @@
 namespace hexatlas::flips {
 
 struct BeamOptions {
-  int max_quads = 22;                 ///< of any boundary, at most kMaxSearchQuads
+  int max_quads = 22;                 ///< of boundaries grown, at most kMaxSearchQuads
   std::size_t fronts_per_class = 20;  ///< per level
   std::size_t fronts_per_level = 200'000;
   std::size_t max_fronts = 60'000'000;  ///< in memory, about 80 bytes each; then no more come

@@ -84,9 +84,9 @@ StoredFront get_front(Source& source) {
 
 /// One family, given to `keep(code, fronts)`; its fronts have no scars yet.
 template <class Keep>
-void get_family(Source& source, std::size_t shard, int max_quads, Keep&& keep) {
+void get_family(Source& source, std::size_t shard, Keep&& keep) {
   const int quads = source.get<std::uint8_t>();
-  if (quads < 6 || quads > max_quads) source.refuse("is damaged");
+  if (quads < 6 || quads > kMaxSearchQuads) source.refuse("is damaged");
   const auto code = canon::from_binary(quads, source.take(canon::binary_size(quads)));
   if (!code || FrontStore::shard_of(*code) != shard) source.refuse("is damaged");
   const auto count = source.get<std::uint32_t>();
@@ -148,16 +148,15 @@ Beam Beam::from_bytes(std::string_view bytes, const State& start, const BeamOpti
   for (std::size_t shard = 0; shard < FrontStore::kShards; ++shard) {
     const auto families = source.get<std::uint32_t>();
     for (std::uint32_t f = 0; f < families; ++f)
-      get_family(source, shard, options.max_quads,
-                 [&](const canon::Code& code, std::vector<StoredFront> fronts) {
-                   if (beam.store_.find(code)) source.refuse("is damaged");
-                   for (std::uint32_t place = 0; place < fronts.size(); ++place) {
-                     const std::size_t level = fronts[place].level;
-                     if (level >= by_level.size()) source.refuse("is damaged");
-                     by_level[level].push_back({FrontStore::number_of(shard, f), place});
-                   }
-                   beam.store_.append_family(code, std::move(fronts));
-                 });
+      get_family(source, shard, [&](const canon::Code& code, std::vector<StoredFront> fronts) {
+        if (beam.store_.find(code)) source.refuse("is damaged");
+        for (std::uint32_t place = 0; place < fronts.size(); ++place) {
+          const std::size_t level = fronts[place].level;
+          if (level >= by_level.size()) source.refuse("is damaged");
+          by_level[level].push_back({FrontStore::number_of(shard, f), place});
+        }
+        beam.store_.append_family(code, std::move(fronts));
+      });
   }
   const auto root = beam.store_.find(start.code);
   if (source.left() != 0 || by_level[0].size() != 1 || !root || by_level[0][0] != FrontId{*root, 0})
@@ -183,7 +182,7 @@ void Beam::restore_level(std::span<const FrontId> ids, const std::string& name) 
       const Front front = front_of(state(own.parent));
       if (own.flip.bottom >= front.boundary.quads()) throw damaged();
       const int after = front.boundary.quads() + 6 - 2 * own.flip.consumed();
-      if (after < 6 || after > options_.max_quads) throw damaged();
+      if (after < 6 || after > kMaxSearchQuads) throw damaged();
       const auto prism = prism_of(front.boundary, own.flip);
       if (!prism || !may_glue(front, own.flip, *prism)) throw damaged();
       const State made = canonical_state(glued(front, own.flip, *prism).front).state;

@@ -52,6 +52,23 @@ TEST(SavedBeam, GoesOnAsIfItHadNeverStopped) {
   EXPECT_EQ(again.to_bytes(), beam.to_bytes());
 }
 
+TEST(SavedBeam, MayHoldBallsThatWereAddedWithWiderBoundaries) {
+  flips::BeamOptions wide = narrow();
+  wide.max_quads = 24;
+  Beam source(kSingle, wide);
+  for (int level = 0; level < 8; ++level) (void)source.expand_level();
+  Beam beam(kSingle, narrow());
+  std::size_t added = 0;
+  for (const auto& code : source.codes())
+    if (code.quads == 24) {
+      const auto mesh = flips::filling_of(source, source.fronts_of(code)[0].id).mesh;
+      (void)flips::add_ball(beam, mesh, flips::FrontOrigin::met);
+      ++added;
+    }
+  EXPECT_GT(added, 10U);
+  EXPECT_EQ(restored(beam.to_bytes()).to_bytes(), beam.to_bytes());
+}
+
 TEST(SavedBeam, OfOtherOptionsOrCutShortIsRefused) {
   Beam beam(kSingle, narrow());
   for (int level = 0; level < 8; ++level) (void)beam.expand_level();
