@@ -57,7 +57,6 @@ build::SearchOptions search_options(const TableBuildOptions& options) {
   search.balls.fronts_per_class = options.per_class;
   search.balls.fronts_per_level = options.width;
   search.balls.max_fronts = (static_cast<std::size_t>(options.memory_gib) << 30U) / kBytesPerFront;
-  search.collars.max_quads = options.widest;
   search.max_hexahedra = options.max_hexahedra;
   search.rounds = options.rounds;
   search.growths = options.growths;

@@ -53,7 +53,7 @@ std::optional<complex::HexComplex> fill_through(const format::Table& table,
   flips::MeetingOptions meeting;
   meeting.max_collar = options.max_collar;
   meeting.first = true;
-  meeting.collars.max_quads = std::min(flips::kMaxSearchQuads, boundary.quads + 2);
+  meeting.collars.max_quads = flips::kMaxSearchQuads;  // some have no flip that adds less than 4
   meeting.collars.fronts_per_level = options.collars_per_level;
   meeting.collars.seed = options.seed;
   meeting.collars.threads = options.threads;

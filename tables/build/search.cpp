@@ -75,6 +75,7 @@ SearchOptions default_search(std::uint64_t seed, int threads) {
   SearchOptions options;
   options.balls = limits(40, 1'000'000, seed, threads);
   options.collars = limits(20, 3'000, seed, threads);
+  options.collars.max_quads = flips::kMaxSearchQuads;  // some have no flip that adds less than 4
   return options;
 }
 

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Measures the shipped table: what it holds, how long the judge and queries take, what kills cost.
+# With --search it repeats the search first, which takes hours and 16 GiB.
+set -euo pipefail
+cd "$(dirname "$0")"
+program="${HEXATLAS:-../../build/release/hexatlas}"
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+if [[ "${1:-}" == --search ]]; then
+  "$program" table build -o hexatlas.hxt --state hexatlas.state
+fi
+"$program" table info --by quads --json | python3 -c '
+import json, sys
+print("quads", "meshes", "least", "mean", "median", "most", sep="\t")
+for quads, row in json.load(sys.stdin)["by_quads"].items():
+    print(quads, row["entries"], row["least"], "%.2f" % row["mean"], row["median"],
+          row["greatest"], sep="\t")
+' >result.tsv
+"$program" table info --by quads --svg hexahedra.svg >/dev/null
+{
+  TIMEFORMAT=$'table check, seconds on one core\t%U'
+  time taskset -c 0 "$program" table check >/dev/null
+} 2>check.tsv
+{
+  printf 'quads\tqueries\tper cent filled\tmedian s\t95 %% s\tmost s\tmean hexahedra\tmost\n'
+  python3 -B queries.py "$program" 22 500
+  python3 -B queries.py "$program" 24 500
+} >queries.tsv
+python3 -B kills.py "$program" "$folder" >kills.tsv
+{
+  git -C ../.. describe --always --dirty --abbrev=12
+  "$program" --version
+  lscpu | sed -n 's/^Model name: *//p'
+} >provenance.txt
