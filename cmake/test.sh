@@ -90,9 +90,10 @@ run_again() { # PRESET LABEL
   run_tests "$1" --label-regex "^$2\$"
 }
 
+# A parameter that cannot be printed would be shown as bytes, addresses among them: not a name.
 names_labelled() { # PRESET LABEL
   ctest --test-dir "build/$1" --show-only --label-regex "^$2\$" |
-    sed -n 's/^ *Test *#[0-9]*: //p' | sort
+    sed -n 's/^ *Test *#[0-9]*: //; T; s/  # GetParam() = .*//; p' | sort
 }
 
 # The .cpp files of the libraries and the program; `changed`: since HEXATLAS_TIDY_BASE.

@@ -188,6 +188,11 @@ struct Case {
   bool on_facets;
 };
 
+// Found by name by GoogleTest, which would print the bytes of the struct, an address among them.
+void PrintTo(const Case& one, std::ostream* out) {
+  *out << one.cell << " with " << one.interior << (one.on_facets ? ", on facets" : "");
+}
+
 class SmallCells : public testing::TestWithParam<Case> {};
 
 TEST_P(SmallCells, SearchMeetsWhatTheDefinitionSays) {
