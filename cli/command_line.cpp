@@ -218,6 +218,10 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
       ->add_flag("--so-far", options->so_far,
                  "Do not search on: write what the search saved in --state has found so far")
       ->needs("--state");
+  build->add_option(
+      "--start-from", options->start_from,
+      "Begin a new search with what another one found, saved with --state; it may have "
+      "been for other boundaries");
   build->add_option("--save-every", options->save_every, "Seconds between two saves, at least")
       ->check(CLI::Range(0, 86'400))
       ->capture_default_str();
@@ -228,25 +232,29 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
         ->capture_default_str()
         ->group("Effort");
   };
-  effort("--width", options->width, std::size_t{1}, std::size_t{100'000'000},
+  build::SearchOptions& search = options->search;
+  effort("--width", search.balls.fronts_per_level, std::size_t{1}, std::size_t{100'000'000},
          "Balls expanded per number of hexahedra");
-  effort("--per-class", options->per_class, std::size_t{1}, std::size_t{1'000'000},
+  effort("--per-class", search.balls.fronts_per_class, std::size_t{1}, std::size_t{1'000'000},
          "Balls kept per boundary and number of hexahedra");
-  effort("--widest", options->widest, 6, flips::kMaxSearchQuads,
+  effort("--widest", search.balls.max_quads, 6, flips::kMaxSearchQuads,
          "Quads of the boundaries on the way, at most");
-  effort("--max-hexahedra", options->max_hexahedra, 1, 200,
-         "Hexahedra of the balls grown, at most");
-  effort("--rounds", options->rounds, 1, 1000, "Rounds of sweep, exchange and collars");
-  effort("--growths", options->growths, 0, 1'000'000, "Exchanges tried per boundary and round");
-  effort("--collared", options->collared, std::size_t{0}, std::size_t{1'000'000},
+  effort("--max-hexahedra", search.max_hexahedra, 1, 200, "Hexahedra of the balls grown, at most");
+  effort("--rounds", search.rounds, 1, 1000, "Rounds of sweep, exchange, cuts and collars");
+  effort("--growths", search.growths, 0, 1'000'000, "Exchanges tried per boundary and round");
+  effort("--cut", search.cut, std::size_t{0}, std::size_t{1'000'000},
+         "Boundaries per round that are cut in two, those with the largest meshes");
+  effort("--cut-growths", search.cut_growths, 0, 1'000'000, "Exchanges tried for each of these");
+  effort("--collared", search.collared, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round for which collars are grown, those with the largest meshes");
   effort("--memory", options->memory_gib, 1, 4096, "GiB that the balls may take, about");
   build
       ->add_option_function<std::string>(
-          "--seed", [options](const std::string& word) { options->seed = seed_from(word); },
+          "--seed",
+          [options](const std::string& word) { options->search.balls.seed = seed_from(word); },
           "Seed of the search")
       ->type_name("UINT")
-      ->default_str(std::to_string(options->seed));
+      ->default_str(std::to_string(search.balls.seed));
   add_threads(*build, options->threads);
   build->footer(
       example("hexatlas table build -o my.hxt --max-quads 14 --width 20000 --state my.state"));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "enum/quads/generate.hpp"
+#include "tables/build/search.hpp"
 
 namespace hexatlas::cli {
 
@@ -46,18 +47,12 @@ struct TableBuildOptions {
   std::string output;
   int max_quads = 20;
   std::vector<std::string> also;
-  std::string state;              ///< file to save the search in and go on from; may be empty
-  int save_every = 120;           ///< seconds
-  bool so_far = false;            ///< do not search: write what the saved search has found
-  std::size_t width = 1'000'000;  ///< fronts expanded per level
-  std::size_t per_class = 200;    ///< fronts per boundary and level
-  int widest = 24;                ///< quads of the boundaries on the way
-  int max_hexahedra = 72;         ///< of balls grown
-  int rounds = 3;
-  int growths = 20;
-  std::size_t collared = 100;
+  std::string state;       ///< file to save the search in and go on from; may be empty
+  int save_every = 120;    ///< seconds
+  bool so_far = false;     ///< do not search: write what the saved search has found
+  std::string start_from;  ///< a saved search whose balls a new one begins with; may be empty
+  build::SearchOptions search;
   int memory_gib = 16;
-  std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all processors
   std::string command;
 };

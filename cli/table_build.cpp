@@ -5,13 +5,12 @@
 #include <cstdlib>
 #include <ctime>
 #include <exception>
-#include <filesystem>
 #include <optional>
-#include <system_error>
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "cli/table_path.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
@@ -51,29 +50,24 @@ std::vector<canon::Code> boundaries(const TableBuildOptions& options) {
 
 build::SearchOptions search_options(const TableBuildOptions& options) {
   constexpr std::size_t kBytesPerFront = 120;  // itself, its share of the tables, and slack
-  build::SearchOptions search =
-      build::default_search(options.seed, parallel::threads_or_all(options.threads));
-  search.balls.max_quads = options.widest;
-  search.balls.fronts_per_class = options.per_class;
-  search.balls.fronts_per_level = options.width;
+  build::SearchOptions search = options.search;
+  search.balls.threads = parallel::threads_or_all(options.threads);
   search.balls.max_fronts = (static_cast<std::size_t>(options.memory_gib) << 30U) / kBytesPerFront;
-  search.max_hexahedra = options.max_hexahedra;
-  search.rounds = options.rounds;
-  search.growths = options.growths;
-  search.collared = options.collared;
   return search;
 }
 
 build::TableSearch begin(const TableBuildOptions& options) {
   std::vector<canon::Code> targets = boundaries(options);
   const build::SearchOptions search = search_options(options);
-  std::error_code error;
-  const bool is_new = options.state.empty() || !std::filesystem::exists(options.state, error);
-  if (is_new && options.so_far)
+  if (!options.state.empty() && is_there(options.state))
+    return build::TableSearch::from_bytes(core::read_file(options.state), std::move(targets),
+                                          search, options.state);
+  if (options.so_far)
     throw core::InvalidInput(options.state, "is not there: there is no search so far");
-  if (is_new) return {std::move(targets), search};
-  return build::TableSearch::from_bytes(core::read_file(options.state), std::move(targets), search,
-                                        options.state);
+  if (!options.start_from.empty())
+    return build::TableSearch::started_from(core::read_file(options.start_from), std::move(targets),
+                                            search, options.start_from);
+  return {std::move(targets), search};
 }
 
 /// Whether the search came to its end; otherwise a stop was asked for.
@@ -132,7 +126,7 @@ void write_all(const TableBuildOptions& options, const build::TableSearch& searc
   core::write_file(options.output, bytes);
   try {
     core::write_file(format::manifest_path(options.output),
-                     format::manifest_text(table, {options.command, options.seed,
+                     format::manifest_text(table, {options.command, options.search.balls.seed,
                                                    "hexatlas " + version(), HEXATLAS_COMMIT}));
     build::write_census(build::census_path(options.output), census_of(search, table));
   } catch (const std::exception&) {

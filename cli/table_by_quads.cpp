@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "cli/output.hpp"
+#include "cli/table_path.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "tables/build/census.hpp"
@@ -32,8 +31,7 @@ struct Statistics {
 Statistics statistics_of(const format::Table& table) {
   Statistics result;
   const std::string path = build::census_path(table.path());
-  std::error_code error;  // a name that is too long for a file is that of none
-  if (std::filesystem::exists(path, error)) {
+  if (is_there(path)) {
     const build::Census census = build::read_census(path);
     if (census.about.table_sha256 != table.sha256())
       throw core::InvalidInput(path, "is the census of another table than " + table.path());

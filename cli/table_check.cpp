@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <system_error>
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "cli/table_path.hpp"
 #include "enum/core/files.hpp"
 #include "tables/build/census.hpp"
 #include "tables/check/table_check.hpp"
@@ -21,11 +20,6 @@ struct Findings {
   std::string reason;
   bool has_manifest = false, has_census = false;
 };
-
-bool is_there(const std::string& path) {
-  std::error_code error;  // a name that is too long for a file is that of none
-  return std::filesystem::exists(path, error);
-}
 
 std::string fault_of_manifest(const format::Table& table, const std::string& path) {
   const format::ManifestClaims claims = format::read_manifest(path);

@@ -1,9 +1,17 @@
+#include "cli/table_path.hpp"
+
 #include <filesystem>
+#include <system_error>
 
 #include "cli/commands.hpp"
 #include "enum/core/errors.hpp"
 
 namespace hexatlas::cli {
+
+bool is_there(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::exists(path, error);
+}
 
 std::string table_path(const std::string& asked_for) {
   if (!asked_for.empty()) return asked_for;
@@ -11,8 +19,8 @@ std::string table_path(const std::string& asked_for) {
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
   const auto folder = program.parent_path();
   for (const char* place : {"tables/hexatlas.hxt", "../share/hexatlas/tables/hexatlas.hxt"}) {
-    const auto path = (folder / place).lexically_normal();
-    if (std::filesystem::exists(path, error)) return path.string();
+    std::string path = (folder / place).lexically_normal().string();
+    if (is_there(path)) return path;
   }
   throw core::InvalidInput((folder / "tables/hexatlas.hxt").string(),
                            "the table that comes with the program is not there; name one "

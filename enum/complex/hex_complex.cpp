@@ -234,6 +234,20 @@ std::vector<BoundaryQuad> boundary_of(const HexComplex& mesh) {
   return result;
 }
 
+HexComplex renumbered(HexComplex mesh, std::span<const VertexId> first) {
+  constexpr VertexId kUnset = 0xFFFFFFFF;
+  std::vector<VertexId> number(mesh.vertices, kUnset);
+  VertexId next = 0;
+  for (const VertexId v : first) number[v] = next++;
+  for (Hexahedron& cell : mesh.hexahedra)
+    for (VertexId& v : cell) {
+      if (number[v] == kUnset) number[v] = next++;
+      v = number[v];
+    }
+  mesh.vertices = next;
+  return mesh;
+}
+
 bool has_boundary(const HexComplex& mesh, std::vector<BoundaryQuad> quads) {
   std::vector<BoundaryQuad> own = boundary_of(mesh);
   for (auto* list : {&own, &quads}) {

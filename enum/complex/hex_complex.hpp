@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "enum/complex/broken_law.hpp"
@@ -37,6 +38,10 @@ struct HexComplex {
 /// The quads in exactly one hexahedron, counter-clockwise from outside if the hexahedra are
 /// right-handed; in the order of their hexahedra. Requires that quads are in at most two.
 [[nodiscard]] std::vector<BoundaryQuad> boundary_of(const HexComplex& mesh);
+
+/// The same mesh with the vertices of `first` numbered 0, 1, ..., the others after them in the
+/// order of the hexahedra. Vertices of no hexahedron are left out unless they are in `first`.
+[[nodiscard]] HexComplex renumbered(HexComplex mesh, std::span<const VertexId> first);
 
 /// Whether boundary_of(mesh) consists of these quads, as oriented cycles in any order.
 [[nodiscard]] bool has_boundary(const HexComplex& mesh, std::vector<BoundaryQuad> quads);

@@ -158,13 +158,20 @@ std::vector<FrontRecord> Beam::fronts_of(const canon::Code& code) const {
   return result;
 }
 
+std::optional<FrontId> Beam::smallest(const canon::Code& code) const {
+  const auto family = store_.find(code);
+  if (!family) return std::nullopt;
+  const auto& fronts = store_.family(*family).fronts;
+  const auto least = std::min_element(
+      fronts.begin(), fronts.end(),
+      [](const StoredFront& a, const StoredFront& b) { return a.level < b.level; });
+  return FrontId{*family, static_cast<std::uint32_t>(least - fronts.begin())};
+}
+
 std::optional<int> Beam::first_level(const canon::Code& code) const {
-  const auto number = store_.find(code);
-  if (!number) return std::nullopt;
-  std::optional<int> first;
-  for (const StoredFront& front : store_.family(*number).fronts)
-    if (!first || front.level < *first) first = front.level;
-  return first;
+  const auto id = smallest(code);
+  if (!id) return std::nullopt;
+  return level_of(*id);
 }
 
 std::vector<canon::Code> Beam::codes() const {

@@ -77,6 +77,8 @@ class Beam {
   [[nodiscard]] int level_of(FrontId id) const noexcept { return store_.at(id).level; }
   /// The states of a class in order of level, empty if it was not reached.
   [[nodiscard]] std::vector<FrontRecord> fronts_of(const canon::Code& code) const;
+  /// The first state of the least level that the class has, and that level.
+  [[nodiscard]] std::optional<FrontId> smallest(const canon::Code& code) const;
   [[nodiscard]] std::optional<int> first_level(const canon::Code& code) const;
   /// All classes reached, in increasing order.
   [[nodiscard]] std::vector<canon::Code> codes() const;
@@ -138,5 +140,11 @@ struct Layers {
   bool is_mirrored = false;
 };
 [[nodiscard]] Layers layers_along(const Beam& beam, FrontId id, Growth growth);
+
+/// Puts a ball, grown outward, into a mesh, its last hexahedron first: `rim[v]` is the mesh vertex
+/// of canonical boundary vertex v of the ball; its other vertices are new. `is_mirrored`: the
+/// canonical list of quads is clockwise from outside there.
+void append_ball(complex::HexComplex& mesh, const Layers& ball,
+                 std::span<const complex::VertexId> rim, bool is_mirrored);
 
 }  // namespace hexatlas::flips

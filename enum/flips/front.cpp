@@ -11,13 +11,6 @@ using complex::Quadrangulation;
 using complex::QuadVertices;
 using complex::Vertex;
 
-VertexSet set_of(const QuadVertices& vertices) noexcept {
-  VertexSet result = 0;
-  for (const Vertex v : vertices)
-    if (v != kNewVertex) result |= bit(v);
-  return result;
-}
-
 /// For each corner of the bottom and of the top the vertices that share a consumed quad with it.
 struct PatchRelation {
   std::array<VertexSet, 4> bottom{}, top{};

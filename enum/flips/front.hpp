@@ -31,6 +31,14 @@ inline constexpr int kMaxFrontQuads = 62;  ///< 64 vertices: one word per vertex
 
 [[nodiscard]] constexpr VertexSet bit(complex::Vertex v) noexcept { return VertexSet{1} << v; }
 
+/// The vertices of a quad, kNewVertex left out.
+[[nodiscard]] constexpr VertexSet set_of(const complex::QuadVertices& vertices) noexcept {
+  VertexSet result = 0;
+  for (const complex::Vertex v : vertices)
+    if (v != kNewVertex) result |= bit(v);
+  return result;
+}
+
 /// For each vertex the vertices related to it, itself included.
 using Relation = std::array<VertexSet, kMaxFrontQuads + 2>;
 

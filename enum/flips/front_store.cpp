@@ -1,6 +1,7 @@
 #include "enum/flips/front_store.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <utility>
 
@@ -22,10 +23,8 @@ std::size_t FrontStore::slot_of(const Shard& shard, const canon::Code& code) noe
 
 FrontStore::Family& FrontStore::family_for(Shard& shard, const canon::Code& code) {
   if (2 * (shard.families.size() + 1) > shard.slots.size()) {
-    shard.slots.assign(std::max<std::size_t>(16, 4 * (shard.families.size() + 1)), 0);
-    std::size_t power = 16;
-    while (power < shard.slots.size()) power *= 2;
-    shard.slots.assign(power, 0);
+    shard.slots.assign(std::bit_ceil(std::max<std::size_t>(16, 4 * (shard.families.size() + 1))),
+                       0);
     for (std::size_t i = 0; i < shard.families.size(); ++i)
       shard.slots[slot_of(shard, shard.families[i].code)] = static_cast<std::uint32_t>(i + 1);
   }

@@ -38,9 +38,10 @@ enum class FrontMark : std::uint8_t {
 enum class FrontOrigin : std::uint8_t {
   grown,      ///< by a sweep of the beam
   exchanged,  ///< part of a mesh made smaller (replacement.hpp)
-  met         ///< part of a mesh from a collar and a ball (meeting.hpp)
+  met,        ///< part of a mesh from a collar and a ball (meeting.hpp)
+  joined      ///< part of a mesh from two balls along a disc (cut.hpp)
 };
-inline constexpr std::uint8_t kFrontOrigins = 3;
+inline constexpr std::uint8_t kFrontOrigins = 4;
 
 struct StoredFront {
   Scars scars;

@@ -49,4 +49,19 @@ Layers layers_along(const Beam& beam, FrontId id, Growth growth) {
   return result;
 }
 
+void append_ball(complex::HexComplex& mesh, const Layers& ball,
+                 std::span<const complex::VertexId> rim, bool is_mirrored) {
+  constexpr complex::VertexId kInterior = 0xFFFFFFFF;
+  std::vector<complex::VertexId> number(ball.vertices, kInterior);
+  for (std::size_t v = 0; v < ball.rim.size(); ++v) number[ball.rim[v]] = rim[v];
+  for (complex::VertexId& n : number)
+    if (n == kInterior) n = mesh.vertices++;
+  for (auto cell = ball.hexahedra.rbegin(); cell != ball.hexahedra.rend(); ++cell) {
+    complex::Hexahedron moved = *cell;
+    for (complex::VertexId& v : moved) v = number[v];
+    if (ball.is_mirrored != is_mirrored) cells::exchange_axes(moved);
+    mesh.hexahedra.push_back(moved);
+  }
+}
+
 }  // namespace hexatlas::flips

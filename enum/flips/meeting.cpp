@@ -31,22 +31,6 @@ std::vector<Automorphism> automorphisms_of(const canon::Code& code) {
   return result;
 }
 
-/// Renumbers the vertices: those listed in `first` get 0, 1, ...; the others follow in the order of
-/// the cells.
-complex::HexComplex renumbered(std::vector<Hexahedron> cells, std::uint32_t vertices,
-                               const std::vector<std::uint32_t>& first) {
-  constexpr std::uint32_t kUnset = 0xFFFFFFFF;
-  std::vector<std::uint32_t> number(vertices, kUnset);
-  std::uint32_t next = 0;
-  for (const std::uint32_t v : first) number[v] = next++;
-  for (Hexahedron& cell : cells)
-    for (std::uint32_t& v : cell) {
-      if (number[v] == kUnset) number[v] = next++;
-      v = number[v];
-    }
-  return {next, std::move(cells)};
-}
-
 struct Meeting {
   canon::Code boundary;
   std::size_t ball = 0;  ///< its place among those of the boundary
@@ -134,28 +118,17 @@ class Matcher {
 
 Filling assemble(const BallSource& balls, const Beam& collars, const Meeting& meeting) {
   const Layers collar = layers_along(collars, meeting.collar, Growth::inward);
-  Layers ball = balls.layers_of(meeting.boundary, meeting.ball);
+  complex::HexComplex mesh{collar.vertices, collar.hexahedra};
   // Rim vertex v of the ball is rim vertex turn(v) of the collar.
-  constexpr std::uint32_t kInterior = 0xFFFFFFFF;
-  std::vector<std::uint32_t> number(ball.vertices, kInterior);
-  for (std::size_t v = 0; v < ball.rim.size(); ++v)
-    number[ball.rim[v]] = collar.rim[meeting.turn.label[v]];
-  std::uint32_t vertices = collar.vertices;
-  for (std::uint32_t& n : number)
-    if (n == kInterior) n = vertices++;
-  const bool turned = (ball.is_mirrored != collar.is_mirrored) != meeting.turn.is_mirrored;
-  std::vector<Hexahedron> cells = collar.hexahedra;
-  std::reverse(ball.hexahedra.begin(), ball.hexahedra.end());  // the last one is taken off first
-  for (Hexahedron moved : ball.hexahedra) {
-    for (std::uint32_t& v : moved) v = number[v];
-    if (turned) cells::exchange_axes(moved);
-    cells.push_back(moved);
-  }
+  std::vector<complex::VertexId> rim(collar.rim.size());
+  for (std::size_t v = 0; v < rim.size(); ++v) rim[v] = collar.rim[meeting.turn.label[v]];
+  append_ball(mesh, balls.layers_of(meeting.boundary, meeting.ball), rim,
+              collar.is_mirrored != meeting.turn.is_mirrored);
   const auto path = collars.path_to(meeting.collar);
   const State start = collars.state(path.empty() ? meeting.collar : path.front().from);
-  std::vector<std::uint32_t> boundary(static_cast<std::size_t>(start.code.quads) + 2);
+  std::vector<complex::VertexId> boundary(static_cast<std::size_t>(start.code.quads) + 2);
   std::iota(boundary.begin(), boundary.end(), 0U);
-  return {renumbered(std::move(cells), vertices, boundary)};
+  return {complex::renumbered(std::move(mesh), boundary)};
 }
 
 }  // namespace
@@ -165,7 +138,13 @@ Filling filling_of(const Beam& balls, FrontId id) {
   if (layers.is_mirrored)
     for (Hexahedron& cell : layers.hexahedra) cells::exchange_axes(cell);
   std::reverse(layers.hexahedra.begin(), layers.hexahedra.end());
-  return {renumbered(std::move(layers.hexahedra), layers.vertices, layers.rim)};
+  return {complex::renumbered({layers.vertices, std::move(layers.hexahedra)}, layers.rim)};
+}
+
+std::optional<int> BeamBalls::least_with(const canon::Code& boundary) const {
+  const auto level = beam_.first_level(boundary);
+  if (!level) return std::nullopt;
+  return *level + 1;
 }
 
 std::vector<KnownBall> BeamBalls::balls_with(const canon::Code& boundary) const {
@@ -180,15 +159,15 @@ Layers BeamBalls::layers_of(const canon::Code& boundary, std::size_t ball) const
 }
 
 Scars scars_of(const complex::HexComplex& mesh, const complex::Quadrangulation& boundary) {
-  const Relation quads = relation_of_quads(boundary);
   const auto on_boundary = static_cast<std::uint32_t>(boundary.vertices());
-  Scars scars;
+  Relation related{};
   for (const Hexahedron& cell : mesh.hexahedra)
     for (const std::uint32_t a : cell)
       for (const std::uint32_t b : cell)
-        if (a < b && b < on_boundary && (quads[a] & bit(static_cast<complex::Vertex>(b))) == 0)
-          scars.add(static_cast<complex::Vertex>(a), static_cast<complex::Vertex>(b));
-  return scars;
+        if (a < on_boundary && b < on_boundary) related[a] |= bit(static_cast<complex::Vertex>(b));
+  canon::Labelling same{};
+  std::iota(same.begin(), same.end(), complex::Vertex{0});
+  return scars_of(related, relation_of_quads(boundary), boundary.vertices(), same);
 }
 
 std::optional<Filling> best_meeting(const BallSource& balls, const canon::Code& target,

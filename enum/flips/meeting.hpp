@@ -42,6 +42,8 @@ class BallSource {
   BallSource(BallSource&&) = delete;
   BallSource& operator=(BallSource&&) = delete;
   virtual ~BallSource() = default;
+  /// The least number of hexahedra among the balls known with this boundary, if there are any.
+  [[nodiscard]] virtual std::optional<int> least_with(const canon::Code& boundary) const = 0;
   /// The balls known with this boundary, fewest hexahedra first.
   [[nodiscard]] virtual std::vector<KnownBall> balls_with(const canon::Code& boundary) const = 0;
   /// One of them, by its place in balls_with().
@@ -52,6 +54,7 @@ class BallSource {
 class BeamBalls final : public BallSource {
  public:
   explicit BeamBalls(const Beam& beam) : beam_(beam) {}
+  [[nodiscard]] std::optional<int> least_with(const canon::Code& boundary) const override;
   [[nodiscard]] std::vector<KnownBall> balls_with(const canon::Code& boundary) const override;
   [[nodiscard]] Layers layers_of(const canon::Code& boundary, std::size_t ball) const override;
 

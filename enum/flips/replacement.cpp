@@ -22,18 +22,6 @@ struct Fit {
   bool is_mirrored = false;
 };
 
-Scars scars_under(const Relation& related, const Relation& quads, int vertices,
-                  const canon::Labelling& label) {
-  Scars scars;
-  for (int v = 0; v < vertices; ++v) {
-    const auto a = static_cast<Vertex>(v);
-    VertexSet later = related[a] & ~quads[a] & ~(bit(a) - 1);
-    for (; later != 0; later &= later - 1)
-      scars.add(label[a], label[static_cast<std::size_t>(std::countr_zero(later))]);
-  }
-  return scars;
-}
-
 /// The least ball of the beam that may replace the sub-ball, with at most `most` hexahedra;
 /// of equal ones the one at place `turn` modulo their number.
 std::optional<Fit> fit(const SubBall& ball, const Beam& balls, int most, std::uint64_t turn) {
@@ -52,7 +40,7 @@ std::optional<Fit> fit(const SubBall& ball, const Beam& balls, int most, std::ui
   for (int i = 0; i < flags.count; ++i) {
     const canon::Flag flag = flags.flags[static_cast<std::size_t>(i)];
     const canon::Labelling label = canon::labelling_from(boundary, flag);
-    const Scars scars = scars_under(outside, quads, boundary.vertices(), label);
+    const Scars scars = scars_of(outside, quads, boundary.vertices(), label);
     for (std::uint32_t place = 0; place < known.size(); ++place) {
       const int hexahedra = known[place].level + 1;
       if (hexahedra > most || !known[place].scars.is_disjoint_from(scars)) continue;
@@ -68,39 +56,14 @@ std::optional<Fit> fit(const SubBall& ball, const Beam& balls, int most, std::ui
 /// The mesh with the sub-ball exchanged; vertices not numbered without gaps yet.
 HexComplex exchanged(const HexComplex& mesh, const SubBall& ball, const Beam& balls,
                      const Fit& found) {
-  const Layers layers = layers_along(balls, found.ball, Growth::outward);
-  constexpr VertexId kInterior = 0xFFFFFFFF;
-  std::vector<VertexId> number(layers.vertices, kInterior);
-  for (int v = 0; v < ball.front().boundary.vertices(); ++v) {
-    const auto own = static_cast<Vertex>(v);
-    number[layers.rim[found.label[own]]] = ball.rim(own);
-  }
   HexComplex result{mesh.vertices, {}};
-  for (VertexId& n : number)
-    if (n == kInterior) n = result.vertices++;
   for (std::uint32_t cell = 0; cell < mesh.hexahedra.size(); ++cell)
     if (!ball.contains(cell)) result.hexahedra.push_back(mesh.hexahedra[cell]);
-  for (Hexahedron moved : layers.hexahedra) {
-    for (VertexId& v : moved) v = number[v];
-    if (layers.is_mirrored != found.is_mirrored) cells::exchange_axes(moved);
-    result.hexahedra.push_back(moved);
-  }
+  const auto vertices = static_cast<std::size_t>(ball.front().boundary.vertices());
+  std::vector<VertexId> rim(vertices);
+  for (std::size_t v = 0; v < vertices; ++v) rim[found.label[v]] = ball.rim(static_cast<Vertex>(v));
+  append_ball(result, layers_along(balls, found.ball, Growth::outward), rim, found.is_mirrored);
   return result;
-}
-
-/// Takes out vertex numbers that no hexahedron has; the boundary's stay.
-HexComplex compacted(HexComplex mesh, int boundary_vertices) {
-  constexpr VertexId kUnset = 0xFFFFFFFF;
-  std::vector<VertexId> number(mesh.vertices, kUnset);
-  std::iota(number.begin(), number.begin() + boundary_vertices, 0U);
-  auto next = static_cast<VertexId>(boundary_vertices);
-  for (Hexahedron& cell : mesh.hexahedra)
-    for (VertexId& v : cell) {
-      if (number[v] == kUnset) number[v] = next++;
-      v = number[v];
-    }
-  mesh.vertices = next;
-  return mesh;
 }
 
 class Random {
@@ -130,18 +93,27 @@ bool grow_somewhere(SubBall& ball, const SubBall::Neighbours& neighbours, Random
                      [&](const auto& candidate) { return ball.grow(candidate.second); });
 }
 
+/// A mesh and who meets whom in it.
+struct WorkedMesh {
+  HexComplex mesh;
+  SubBall::Neighbours neighbours = SubBall::neighbours_of(mesh);
+
+  [[nodiscard]] SubBall ball_somewhere(Random& random) const {
+    return {mesh, neighbours, static_cast<std::uint32_t>(random.below(mesh.hexahedra.size()))};
+  }
+};
+
 /// The same mesh with its hexahedra in an order in which they can be taken off, with boundaries of
 /// at most kMaxSearchQuads quads; found by growing, from the last one on.
-std::optional<HexComplex> in_shelling_order(const HexComplex& mesh, Random& random) {
-  constexpr int kTries = 10;
-  const SubBall::Neighbours neighbours = SubBall::neighbours_of(mesh);
-  for (int attempt = 0; attempt < kTries; ++attempt) {
-    SubBall ball(mesh, neighbours, static_cast<std::uint32_t>(random.below(mesh.hexahedra.size())));
-    while (grow_somewhere(ball, neighbours, random)) {
+std::optional<HexComplex> in_shelling_order(const WorkedMesh& worked, int tries, Random& random) {
+  for (int attempt = 0; attempt < tries; ++attempt) {
+    SubBall ball = worked.ball_somewhere(random);
+    while (grow_somewhere(ball, worked.neighbours, random)) {
     }
-    if (ball.cells().size() < mesh.hexahedra.size()) continue;
-    HexComplex result{mesh.vertices, {}};
-    for (const std::uint32_t cell : ball.cells()) result.hexahedra.push_back(mesh.hexahedra[cell]);
+    if (ball.cells().size() < worked.mesh.hexahedra.size()) continue;
+    HexComplex result{worked.mesh.vertices, {}};
+    for (const std::uint32_t cell : ball.cells())
+      result.hexahedra.push_back(worked.mesh.hexahedra[cell]);
     std::reverse(result.hexahedra.begin(), result.hexahedra.end());
     return result;
   }
@@ -150,18 +122,22 @@ std::optional<HexComplex> in_shelling_order(const HexComplex& mesh, Random& rand
 
 /// Grows one ball and makes the first exchange that helps; otherwise, where it can, one that
 /// changes nothing in number.
-std::optional<HexComplex> exchanged_somewhere(const HexComplex& mesh, int quads, const Beam& balls,
+std::optional<HexComplex> exchanged_somewhere(const WorkedMesh& worked, int quads,
+                                              const Beam& balls, bool keep_shellable,
                                               Random& random) {
-  const SubBall::Neighbours neighbours = SubBall::neighbours_of(mesh);
-  SubBall ball(mesh, neighbours, static_cast<std::uint32_t>(random.below(mesh.hexahedra.size())));
+  constexpr int kTries = 10;
+  std::vector<VertexId> boundary(static_cast<std::size_t>(quads) + 2);
+  std::iota(boundary.begin(), boundary.end(), 0U);
+  const HexComplex& mesh = worked.mesh;
+  SubBall ball = worked.ball_somewhere(random);
   std::optional<HexComplex> sideways;
-  while (grow_somewhere(ball, neighbours, random)) {
+  while (grow_somewhere(ball, worked.neighbours, random)) {
     const int size = static_cast<int>(ball.cells().size());
     const bool may_go_sideways = !sideways && random.below(8) == 0;
     const auto found = fit(ball, balls, may_go_sideways ? size : size - 1, random.number());
     if (!found) continue;
-    auto made =
-        in_shelling_order(compacted(exchanged(mesh, ball, balls, *found), quads + 2), random);
+    std::optional<HexComplex> made = renumbered(exchanged(mesh, ball, balls, *found), boundary);
+    if (keep_shellable) made = in_shelling_order({*std::move(made)}, kTries, random);
     if (!made) continue;
     if (made->hexahedra.size() < mesh.hexahedra.size()) return made;
     sideways = std::move(made);
@@ -172,10 +148,8 @@ std::optional<HexComplex> exchanged_somewhere(const HexComplex& mesh, int quads,
 /// The facets of a hexahedron that are quads of the boundary.
 FacetSet facets_on(const complex::Quadrangulation& boundary, const std::array<Vertex, 8>& corner) {
   std::vector<VertexSet> quads;
-  for (int q = 0; q < boundary.quads(); ++q) {
-    const complex::QuadVertices v = boundary.vertices_of(q);
-    quads.push_back(bit(v[0]) | bit(v[1]) | bit(v[2]) | bit(v[3]));
-  }
+  quads.reserve(static_cast<std::size_t>(boundary.quads()));
+  for (int q = 0; q < boundary.quads(); ++q) quads.push_back(set_of(boundary.vertices_of(q)));
   FacetSet result;
   for (std::size_t f = 0; f < cells::kCubeFacets; ++f) {
     VertexSet facet = 0;
@@ -193,16 +167,21 @@ std::optional<HexComplex> smaller_by_replacement(const HexComplex& mesh, int qua
                                                  const Beam& balls,
                                                  const ReplacementOptions& options) {
   Random random(options.seed);
-  HexComplex current = mesh;
+  WorkedMesh current{mesh};
   std::optional<HexComplex> best;
   for (int growth = 0; growth < options.growths; ++growth) {
-    auto next = exchanged_somewhere(current, quads, balls, random);
+    auto next = exchanged_somewhere(current, quads, balls, options.keep_shellable, random);
     if (!next) continue;
-    current = std::move(*next);
+    current = WorkedMesh{*std::move(next)};
     const std::size_t least = best ? best->hexahedra.size() : mesh.hexahedra.size();
-    if (current.hexahedra.size() < least) best = current;
+    if (current.mesh.hexahedra.size() < least) best = current.mesh;
   }
   return best;
+}
+
+std::optional<HexComplex> in_shelling_order(const HexComplex& mesh, int tries, std::uint64_t seed) {
+  Random random(seed);
+  return in_shelling_order(WorkedMesh{mesh}, tries, random);
 }
 
 FrontId add_ball(Beam& balls, const HexComplex& mesh, FrontOrigin origin) {

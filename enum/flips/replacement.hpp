@@ -76,17 +76,26 @@ class SubBall {
 struct ReplacementOptions {
   int growths = 100;  ///< balls grown, each from a hexahedron chosen at random
   std::uint64_t seed = 1;
+  /// Only exchanges after which the mesh has a shelling as add_ball() requires; and the hexahedra
+  /// of the result can be taken off in the order given.
+  bool keep_shellable = true;
 };
 
 /// A mesh with the same boundary and fewer hexahedra, or nullopt if none was found. The vertices of
-/// the boundary, 0 .. quads+1, stay; the others are numbered anew; the hexahedra can be taken off
-/// in the order given. Exchanges that leave the number of hexahedra as it is are made on the
-/// way. Requires that the mesh is a ball under the strict rule, right-handed, and that `balls` grew
-/// from the single hexahedron. Deterministic. Safe to call from several threads.
+/// the boundary, 0 .. quads+1, stay; the others are numbered anew. Exchanges that leave the number
+/// of hexahedra as it is are made on the way. Requires that the mesh is a ball under the strict
+/// rule, right-handed, and that `balls` grew from the single hexahedron. Deterministic. Safe to
+/// call from several threads.
 /// Cost: a few microseconds per ball passed.
 [[nodiscard]] std::optional<complex::HexComplex> smaller_by_replacement(
     const complex::HexComplex& mesh, int quads, const Beam& balls,
     const ReplacementOptions& options);
+
+/// The same mesh with its hexahedra in an order in which they can be taken off, all boundaries
+/// having at most kMaxSearchQuads quads; nullopt if none was found, which proves nothing. Requires
+/// a ball under the strict rule. Deterministic. Cost: microseconds per try and hexahedron.
+[[nodiscard]] std::optional<complex::HexComplex> in_shelling_order(const complex::HexComplex& mesh,
+                                                                   int tries, std::uint64_t seed);
 
 /// Adds the ball to a beam that grew from the single hexahedron, with all balls on the way to it.
 /// `mesh` as above: its hexahedra can be taken off in the order given. Returns the state of the

@@ -3,22 +3,20 @@
 #include "enum/core/checks.hpp"
 
 namespace hexatlas::flips {
-namespace {
 
 using complex::Vertex;
 
-Scars scars_of(const Front& front, const Relation& quads, const canon::Labelling& label) noexcept {
+Scars scars_of(const Relation& related, const Relation& quads, int vertices,
+               const canon::Labelling& label) noexcept {
   Scars scars;
-  for (int v = 0; v < front.boundary.vertices(); ++v) {
+  for (int v = 0; v < vertices; ++v) {
     const auto a = static_cast<Vertex>(v);
-    VertexSet later = front.related[a] & ~quads[a] & ~(bit(a) - 1);
+    VertexSet later = related[a] & ~quads[a] & ~(bit(a) - 1);
     for (; later != 0; later &= later - 1)
       scars.add(label[a], label[static_cast<std::size_t>(std::countr_zero(later))]);
   }
   return scars;
 }
-
-}  // namespace
 
 Scars Scars::renamed(const canon::Labelling& label) const noexcept {
   Scars result;
@@ -50,7 +48,7 @@ CanonicalState canonical_state(const Front& front) {
   for (int i = 0; i < flags.count; ++i) {
     const canon::Flag flag = flags.flags[static_cast<std::size_t>(i)];
     const canon::Labelling label = canon::labelling_from(front.boundary, flag);
-    const Scars scars = scars_of(front, quads, label);
+    const Scars scars = scars_of(front.related, quads, front.boundary.vertices(), label);
     if (i > 0 && !(scars < result.state.scars)) continue;
     result.state.scars = scars;
     result.label = label;

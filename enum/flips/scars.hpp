@@ -58,6 +58,11 @@ class Scars {
   std::array<std::uint64_t, 6> words_{};
 };
 
+/// The scars of a relation on `vertices` boundary vertices under a labelling: the related pairs
+/// that `quads`, the relation of the boundary quads, does not have.
+[[nodiscard]] Scars scars_of(const Relation& related, const Relation& quads, int vertices,
+                             const canon::Labelling& label) noexcept;
+
 /// A front up to isomorphism. Equal states permit the same further hexahedra.
 struct State {
   canon::Code code;

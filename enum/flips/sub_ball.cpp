@@ -37,7 +37,7 @@ std::optional<PlacedFlip> flip_of(const complex::Quadrangulation& boundary, cons
   }
   for (int q = 0; q < boundary.quads(); ++q) {
     const complex::QuadVertices b = boundary.vertices_of(q);
-    if ((bit(b[0]) | bit(b[1]) | bit(b[2]) | bit(b[3])) != wanted) continue;
+    if (set_of(b) != wanted) continue;
     PlacedFlip placed{{static_cast<complex::Quad>(q), 0}};
     for (std::size_t i = 0; i < 4; ++i) {
       const auto at = std::find(corner.begin(), corner.end(), b[i]) - corner.begin();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "enum/core/checks.hpp"
+#include "enum/flips/cut.hpp"
 #include "enum/flips/meeting.hpp"
 #include "tables/build/filled.hpp"
 
@@ -17,6 +18,11 @@ class TableBalls final : public flips::BallSource {
  public:
   explicit TableBalls(const format::Table& table) : table_(table) {}
 
+  [[nodiscard]] std::optional<int> least_with(const canon::Code& boundary) const override {
+    const auto ordinal = table_.find(boundary);
+    if (!ordinal) return std::nullopt;
+    return static_cast<int>(table_.entry(*ordinal).hexahedra);
+  }
   [[nodiscard]] std::vector<flips::KnownBall> balls_with(
       const canon::Code& boundary) const override {
     const auto ordinal = table_.find(boundary);
@@ -50,17 +56,19 @@ std::optional<complex::HexComplex> fill_through(const format::Table& table,
                                                 const QueryOptions& options) {
   core::expects(boundary.quads % 2 == 0 && boundary.quads <= flips::kMaxSearchQuads,
                 "a query has an even number of at most 26 quads");
+  const TableBalls balls(table);
+  auto mesh = flips::best_cut(balls, boundary, {});
   flips::MeetingOptions meeting;
+  if (mesh) meeting.below = static_cast<int>(mesh->hexahedra.size());
   meeting.max_collar = options.max_collar;
   meeting.first = true;
   meeting.collars.max_quads = flips::kMaxSearchQuads;  // some have no flip that adds less than 4
   meeting.collars.fronts_per_level = options.collars_per_level;
   meeting.collars.seed = options.seed;
   meeting.collars.threads = options.threads;
-  auto filling = flips::best_meeting(TableBalls(table), boundary, meeting);
-  if (!filling) return std::nullopt;
-  ensure_fills(filling->mesh, boundary);
-  return std::move(filling->mesh);
+  if (auto filling = flips::best_meeting(balls, boundary, meeting)) mesh = std::move(filling->mesh);
+  if (mesh) ensure_fills(*mesh, boundary);
+  return mesh;
 }
 
 }  // namespace hexatlas::build

@@ -2,8 +2,9 @@
 /// \file
 /// A mesh for a boundary that is not in a table, by way of one that is.
 ///
-/// Method. Collars are grown inwards from the boundary until the mesh that the table has for the
-/// cavity fits (enum/flips/meeting.hpp).
+/// Methods. Two meshes of the table are joined along a disc (enum/flips/cut.hpp). Collars are grown
+/// inwards from the boundary until the mesh that the table has for the cavity fits
+/// (enum/flips/meeting.hpp).
 
 #include <cstdint>
 #include <optional>
@@ -21,12 +22,12 @@ struct QueryOptions {
   int threads = 1;  ///< does not change the result
 };
 
-/// The least mesh by the thinnest collars that lead to one, validated under the strict rule and
-/// against its boundary; vertices 0 .. quads+1 are those of the boundary in canonical labels.
-/// nullopt if none was found, which proves nothing.
-/// Requires the code of a 3-connected quadrangulation with an even number of at most
-/// flips::kMaxSearchQuads quads. Safe to call from several threads.
-/// Cost: tens of milliseconds for boundaries with two or four quads more than the table's.
+/// The least mesh among all cuts and the thinnest collars that lead to one, validated under the
+/// strict rule and against its boundary; vertices 0 .. quads+1 are those of the boundary in
+/// canonical labels. nullopt if none was found, which proves nothing. Requires the code of a
+/// 3-connected quadrangulation with an even number of at most flips::kMaxSearchQuads quads. Safe to
+/// call from several threads. Cost: tens of milliseconds for boundaries with two or four quads more
+/// than the table's.
 [[nodiscard]] std::optional<complex::HexComplex> fill_through(const format::Table& table,
                                                               const canon::Code& boundary,
                                                               const QueryOptions& options = {});

@@ -2,61 +2,30 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cstring>
 #include <functional>
 #include <utility>
 
 #include "enum/core/checks.hpp"
-#include "enum/core/errors.hpp"
+#include "enum/flips/cut.hpp"
 #include "enum/flips/meeting.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "enum/quads/generate.hpp"
 #include "tables/build/filled.hpp"
-#include "tables/format/sha256.hpp"
+#include "tables/format/record.hpp"
 
 namespace hexatlas::build {
 namespace {
 
 constexpr std::size_t kExchangesPerStep = 1024;
+constexpr std::size_t kCutsPerStep = 32;
 constexpr int kNone = 1 << 14;  ///< more than any mesh has
 
-flips::State single_hexahedron() {
-  return flips::canonical_state(flips::single_hexahedron()).state;
-}
-
-flips::BeamOptions limits(std::size_t per_class, std::size_t per_level, std::uint64_t seed,
-                          int threads) {
-  flips::BeamOptions options;
-  options.max_quads = 24;
-  options.fronts_per_class = per_class;
-  options.fronts_per_level = per_level;
-  options.seed = seed;
-  options.threads = threads;
+/// A shared seed and number of threads.
+SearchOptions adjusted(SearchOptions options) {
+  options.collars.seed = options.balls.seed;
+  options.collars.threads = options.balls.threads;
   return options;
 }
-
-void put(std::string& bytes, std::uint64_t number) {
-  for (unsigned shift = 0; shift < 64; shift += 8)
-    bytes += static_cast<char>(number >> shift & 0xFFU);
-}
-
-std::uint64_t get(std::string_view& bytes) {
-  std::uint64_t number = 0;
-  for (unsigned i = 0; i < 8; ++i)
-    number |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
-  bytes.remove_prefix(8);
-  return number;
-}
-
-std::string digest_of(std::string_view bytes) {
-  const format::Digest digest = format::sha256(std::array{bytes});
-  return {digest.begin(), digest.end()};
-}
-
-constexpr std::string_view kMagic = "hexsrch1";
-constexpr std::size_t kPlaceSize = 4 * 8;
-constexpr std::size_t kDigestSize = 32;
 
 }  // namespace
 
@@ -71,22 +40,16 @@ std::vector<canon::Code> three_connected_codes(int max_quads) {
   return codes;
 }
 
-SearchOptions default_search(std::uint64_t seed, int threads) {
-  SearchOptions options;
-  options.balls = limits(40, 1'000'000, seed, threads);
-  options.collars = limits(20, 3'000, seed, threads);
-  options.collars.max_quads = flips::kMaxSearchQuads;  // some have no flip that adds less than 4
-  return options;
-}
-
 std::string_view name_of(flips::FrontOrigin origin) noexcept {
-  constexpr std::array<std::string_view, flips::kFrontOrigins> kNames{"sweep", "exchange",
-                                                                      "collar"};
+  constexpr std::array<std::string_view, flips::kFrontOrigins> kNames{"sweep", "exchange", "collar",
+                                                                      "cut"};
   return kNames[static_cast<std::size_t>(origin)];
 }
 
 TableSearch::TableSearch(std::vector<canon::Code> targets, const SearchOptions& options)
-    : targets_(std::move(targets)), options_(options), balls_(single_hexahedron(), options.balls) {
+    : targets_(std::move(targets)),
+      options_(adjusted(options)),
+      balls_(flips::canonical_state(flips::single_hexahedron()).state, options.balls) {
   core::expects(std::is_sorted(targets_.begin(), targets_.end()), "targets ascend");
   core::expects(options.rounds >= 1 && options.max_hexahedra >= 1, "a search has a round");
 }
@@ -95,7 +58,22 @@ void TableSearch::step() {
   core::expects(!is_finished(), "the search goes on");
   if (phase_ == Phase::sweep) return sweep_step();
   if (phase_ == Phase::exchange) return exchange_step();
+  if (phase_ == Phase::cuts) return cut_step();
   collar_step();
+}
+
+void TableSearch::begin(Phase phase, std::size_t largest) {
+  phase_ = phase;
+  position_ = 0;
+  std::vector<int> sizes;
+  for (const canon::Code& code : targets_) sizes.push_back(hexahedra(code));
+  std::sort(sizes.rbegin(), sizes.rend());
+  const std::size_t count = std::min(largest, sizes.size());
+  taken_from_ = count == 0 ? kNone + 1 : sizes[count - 1];
+  // Ties would make more of them than asked for.
+  if (count > 0 && count < sizes.size() && sizes[count] == taken_from_ &&
+      sizes.front() > taken_from_)
+    ++taken_from_;
 }
 
 void TableSearch::sweep_step() {
@@ -105,23 +83,13 @@ void TableSearch::sweep_step() {
     (void)balls_.expand_level();
     return;
   }
-  phase_ = Phase::exchange;
-  position_ = 0;
+  begin(Phase::exchange, targets_.size());
 }
 
-std::optional<flips::FrontId> TableSearch::smallest(const canon::Code& code) const {
-  const auto family = balls_.store().find(code);
-  if (!family) return std::nullopt;
-  const auto& fronts = balls_.store().family(*family).fronts;
-  const auto least = std::min_element(
-      fronts.begin(), fronts.end(),
-      [](const flips::StoredFront& a, const flips::StoredFront& b) { return a.level < b.level; });
-  return flips::FrontId{*family, static_cast<std::uint32_t>(least - fronts.begin())};
-}
-
-int TableSearch::hexahedra(const canon::Code& code) const {
-  const auto id = smallest(code);
-  return id ? balls_.level_of(*id) + 1 : kNone;
+std::uint64_t TableSearch::seed_for(const canon::Code& code) const {
+  return options_.balls.seed * 0x9E3779B97F4A7C15ULL +
+         static_cast<std::uint64_t>(round_) * 0xC2B2AE3D27D4EB4FULL +
+         std::hash<canon::Code>{}(code);
 }
 
 void TableSearch::exchange_step() {
@@ -129,42 +97,80 @@ void TableSearch::exchange_step() {
   std::vector<std::optional<complex::HexComplex>> found(end - position_);
   parallel::parallel_for(options_.balls.threads, found.size(), [&](std::size_t i) {
     const canon::Code& code = targets_[position_ + i];
-    const auto id = smallest(code);
+    const auto id = balls_.smallest(code);
     if (!id || options_.growths == 0) return;
-    const std::uint64_t seed = options_.balls.seed * 0x9E3779B97F4A7C15ULL +
-                               static_cast<std::uint64_t>(round_) * 0xC2B2AE3D27D4EB4FULL +
-                               std::hash<canon::Code>{}(code);
     found[i] = flips::smaller_by_replacement(flips::filling_of(balls_, *id).mesh, code.quads,
-                                             balls_, {options_.growths, seed});
+                                             balls_, {options_.growths, seed_for(code)});
   });
   for (const auto& mesh : found)
     if (mesh) (void)flips::add_ball(balls_, *mesh, flips::FrontOrigin::exchanged);
   position_ = end;
-  if (position_ == targets_.size()) begin_collars();
+  if (position_ == targets_.size()) begin(Phase::cuts, options_.cut);
 }
 
-void TableSearch::begin_collars() {
-  phase_ = Phase::collars;
-  position_ = 0;
-  std::vector<int> sizes;
-  for (const canon::Code& code : targets_) sizes.push_back(hexahedra(code));
-  std::sort(sizes.rbegin(), sizes.rend());
-  const std::size_t count = std::min(options_.collared, sizes.size());
-  collared_from_ = count == 0 ? kNone + 1 : sizes[count - 1];
-  // Ties would make more of them than asked for.
-  if (count < sizes.size() && sizes[count] == collared_from_ && sizes.front() > collared_from_)
-    ++collared_from_;
+TableSearch::Found TableSearch::smaller(const canon::Code& code, const complex::HexComplex& mesh,
+                                        flips::FrontOrigin origin) const {
+  Found found{mesh, origin};
+  if (auto made = flips::smaller_by_replacement(mesh, code.quads, balls_,
+                                                {options_.cut_growths, seed_for(code), false}))
+    found = {*std::move(made), flips::FrontOrigin::exchanged};
+  return found;
+}
+
+/// The least of what comes from the mesh known and from a cut, if it is any progress.
+std::optional<TableSearch::Found> TableSearch::cut(const canon::Code& code) const {
+  constexpr int kWorthATry = 8;  // exchange may well take off so many
+  constexpr int kShellings = 30;
+  const int known = hexahedra(code);
+  flips::CutOptions limits;
+  limits.max_quads = options_.balls.max_quads;
+  limits.below = known + kWorthATry;
+  std::vector<Found> candidates;
+  if (auto mesh = flips::best_cut(flips::BeamBalls(balls_), code, limits))
+    candidates.push_back(smaller(code, *mesh, flips::FrontOrigin::joined));
+  if (known != kNone) candidates.push_back(smaller(code, unchecked_mesh(code), origin(code)));
+  const auto least =
+      std::min_element(candidates.begin(), candidates.end(), [](const Found& a, const Found& b) {
+        return a.mesh.hexahedra.size() < b.mesh.hexahedra.size();
+      });
+  if (least == candidates.end() || static_cast<int>(least->mesh.hexahedra.size()) >= known)
+    return std::nullopt;
+  auto shelled = flips::in_shelling_order(least->mesh, kShellings, seed_for(code));
+  if (shelled) return Found{*std::move(shelled), least->origin, true};
+  return std::move(*least);
+}
+
+void TableSearch::cut_step() {
+  std::vector<canon::Code> batch;
+  for (; position_ < targets_.size() && batch.size() < kCutsPerStep; ++position_)
+    if (hexahedra(targets_[position_]) >= taken_from_) batch.push_back(targets_[position_]);
+  std::vector<std::optional<Found>> found(batch.size());
+  parallel::parallel_for(options_.balls.threads, batch.size(),
+                         [&](std::size_t i) { found[i] = cut(batch[i]); });
+  for (std::size_t i = 0; i < batch.size(); ++i)
+    if (found[i]) adopt(batch[i], *found[i]);
+  if (position_ == targets_.size()) begin(Phase::collars, options_.collared);
+}
+
+void TableSearch::adopt(const canon::Code& code, const Found& found) {
+  if (found.is_shelled) {
+    (void)flips::add_ball(balls_, found.mesh, found.origin);
+    return;
+  }
+  const int count = static_cast<int>(found.mesh.hexahedra.size());
+  if (count >= hexahedra(code)) return;
+  loose_[code] = {count, found.origin,
+                  format::encode_record(found.mesh, canon::decode(code).value())};
 }
 
 void TableSearch::collar_step() {
-  while (position_ < targets_.size() && hexahedra(targets_[position_]) < collared_from_)
-    ++position_;
+  while (position_ < targets_.size() && hexahedra(targets_[position_]) < taken_from_) ++position_;
   if (position_ == targets_.size()) return next_round();
   const canon::Code& code = targets_[position_++];
   flips::MeetingOptions options{
       .collars = options_.collars, .max_collar = options_.max_collar, .below = hexahedra(code)};
   if (const auto filling = flips::best_meeting(flips::BeamBalls(balls_), code, options))
-    (void)flips::add_ball(balls_, filling->mesh, flips::FrontOrigin::met);
+    adopt(code, {filling->mesh, flips::FrontOrigin::met, true});
 }
 
 void TableSearch::next_round() {
@@ -179,82 +185,55 @@ TableSearch::Progress TableSearch::progress() const {
   if (phase_ == Phase::sweep)
     return {round + ", sweep", static_cast<std::size_t>(balls_.level()) + 1,
             static_cast<std::size_t>(options_.max_hexahedra)};
-  return {round + (phase_ == Phase::exchange ? ", exchange" : ", collars"), position_,
+  constexpr std::array<std::string_view, 5> kNames{"sweep", "exchange", "cuts", "collars", "end"};
+  return {round + ", " + std::string(kNames[static_cast<std::size_t>(phase_)]), position_,
           targets_.size()};
+}
+
+const TableSearch::Loose* TableSearch::loose(const canon::Code& code) const {
+  const auto at = loose_.find(code);
+  if (at == loose_.end()) return nullptr;
+  const auto level = balls_.first_level(code);
+  return level && *level + 1 <= at->second.hexahedra ? nullptr : &at->second;
+}
+
+int TableSearch::hexahedra(const canon::Code& code) const {
+  if (const Loose* own = loose(code)) return own->hexahedra;
+  const auto level = balls_.first_level(code);
+  return level ? *level + 1 : kNone;
+}
+
+flips::FrontOrigin TableSearch::origin(const canon::Code& code) const {
+  if (const Loose* own = loose(code)) return own->origin;
+  return balls_.origin_of(balls_.smallest(code).value());
+}
+
+complex::HexComplex TableSearch::unchecked_mesh(const canon::Code& code) const {
+  if (const Loose* own = loose(code))
+    return format::decode_record(own->record, canon::decode(code).value(), own->hexahedra).value();
+  return flips::filling_of(balls_, balls_.smallest(code).value()).mesh;
 }
 
 std::vector<TableSearch::Row> TableSearch::rows() const {
   std::vector<Row> result;
   for (const canon::Code& code : targets_)
-    if (const auto id = smallest(code))
-      result.push_back({code, balls_.level_of(*id) + 1, balls_.origin_of(*id)});
+    if (const int count = hexahedra(code); count != kNone)
+      result.push_back({code, count, origin(code)});
   return result;
 }
 
 std::vector<canon::Code> TableSearch::without_mesh() const {
   std::vector<canon::Code> result;
   std::copy_if(targets_.begin(), targets_.end(), std::back_inserter(result),
-               [&](const canon::Code& code) { return !smallest(code); });
+               [&](const canon::Code& code) { return hexahedra(code) == kNone; });
   return result;
 }
 
 complex::HexComplex TableSearch::mesh(const canon::Code& target) const {
-  const auto id = smallest(target);
-  core::expects(id.has_value(), "the target has a mesh");
-  complex::HexComplex mesh = flips::filling_of(balls_, *id).mesh;
+  core::expects(hexahedra(target) != kNone, "the target has a mesh");
+  complex::HexComplex mesh = unchecked_mesh(target);
   ensure_fills(mesh, target);
   return mesh;
-}
-
-/// What a saved search must have been made with, apart from the options of the balls.
-std::string TableSearch::settings() const {
-  std::string text;
-  for (const canon::Code& code : targets_) text += canon::to_text(code);
-  for (const std::uint64_t number :
-       {static_cast<std::uint64_t>(options_.max_hexahedra),
-        static_cast<std::uint64_t>(options_.growths),
-        static_cast<std::uint64_t>(options_.collars.max_quads),
-        std::uint64_t{options_.collars.fronts_per_class},
-        std::uint64_t{options_.collars.fronts_per_level}, options_.collars.seed,
-        static_cast<std::uint64_t>(options_.max_collar), std::uint64_t{options_.collared}})
-    text += ' ' + std::to_string(number);
-  return digest_of(text);
-}
-
-std::string TableSearch::to_bytes() const {
-  std::string bytes(kMagic);
-  bytes += settings();
-  put(bytes, static_cast<std::uint64_t>(phase_));
-  put(bytes, static_cast<std::uint64_t>(round_));
-  put(bytes, position_);
-  put(bytes, static_cast<std::uint64_t>(collared_from_));
-  bytes += balls_.to_bytes();
-  return bytes + digest_of(bytes);
-}
-
-TableSearch TableSearch::from_bytes(std::string_view bytes, std::vector<canon::Code> targets,
-                                    const SearchOptions& options, const std::string& name) {
-  TableSearch search(std::move(targets), options);
-  const std::string settings = search.settings();
-  const std::size_t header = kMagic.size() + settings.size() + kPlaceSize;
-  if (bytes.substr(0, kMagic.size()) != kMagic)
-    throw core::InvalidInput(name, "is no saved search");
-  if (bytes.size() < header + kDigestSize ||
-      digest_of(bytes.substr(0, bytes.size() - kDigestSize)) !=
-          bytes.substr(bytes.size() - kDigestSize))
-    throw core::InvalidInput(name, "a saved search that is damaged");
-  if (bytes.substr(kMagic.size(), settings.size()) != settings)
-    throw core::InvalidInput(name, "is a search for other boundaries or with other options");
-  bytes.remove_suffix(kDigestSize);
-  std::string_view place = bytes.substr(kMagic.size() + settings.size());
-  search.phase_ = static_cast<Phase>(get(place));
-  search.round_ = static_cast<int>(get(place));
-  search.position_ = get(place);
-  search.collared_from_ = static_cast<int>(get(place));
-  search.balls_ =
-      flips::Beam::from_bytes(bytes.substr(header), single_hexahedron(), options.balls, name);
-  if (search.is_finished() && search.round_ < options.rounds) search.phase_ = Phase::sweep;
-  return search;
 }
 
 std::vector<format::TableRow> table_rows(const TableSearch& search) {

@@ -5,15 +5,18 @@
 /// Method, in rounds. A *sweep* grows balls from the single hexahedron, level by level
 /// (enum/flips/beam.hpp); each boundary reached has a mesh. *Exchange*: of each mesh, balls of its
 /// hexahedra are exchanged for smaller ones that the sweep knows (enum/flips/replacement.hpp).
-/// *Collars*: for the boundaries with the largest meshes, and those without one, hexahedra are
-/// taken off inwards until a known ball fits (enum/flips/meeting.hpp). What exchange and collars
-/// find goes back into the beam, with all balls on the way, and the next sweep goes on from there:
-/// so a mesh one flip away from a smaller one becomes smaller, too.
+/// Then the boundaries with the largest meshes, and those without one, get more. *Cuts*: two known
+/// balls are joined along a disc (enum/flips/cut.hpp), and what they make, as well as the mesh
+/// known before, goes through a longer exchange. *Collars*: hexahedra are taken off inwards until a
+/// known ball fits (enum/flips/meeting.hpp). What is found goes back into the beam, with all balls
+/// on the way, and the next sweep goes on from there: so a mesh one flip away from a smaller one
+/// becomes smaller, too. A mesh without a shelling that the beam could hold is kept beside it.
 ///
 /// The search proceeds in steps of seconds to a few minutes. Between two steps it can be saved.
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,17 +34,19 @@ namespace hexatlas::build {
 [[nodiscard]] std::vector<canon::Code> three_connected_codes(int max_quads);
 
 struct SearchOptions {
-  flips::BeamOptions balls;
+  /// Of the balls grown. The seed and the threads are those of the whole search.
+  flips::BeamOptions balls{.max_quads = 24, .fronts_per_class = 200, .fronts_per_level = 1'000'000};
   int max_hexahedra = 72;  ///< of a ball
-  int rounds = 2;          ///< each: sweep, exchange, collars
-  int growths = 30;        ///< of exchange, per boundary and round
-  flips::BeamOptions collars;
+  int rounds = 3;          ///< each: sweep, exchange, cuts, collars
+  int growths = 20;        ///< of exchange, per boundary and round
+  std::size_t cut = 1000;  ///< boundaries per round
+  int cut_growths = 300;   ///< of exchange, for each of them
+  /// Some boundaries have no flip that adds less than four quads.
+  flips::BeamOptions collars{
+      .max_quads = flips::kMaxSearchQuads, .fronts_per_class = 20, .fronts_per_level = 3'000};
   int max_collar = 12;         ///< hexahedra
   std::size_t collared = 100;  ///< boundaries per round
 };
-
-/// The settings of `hexatlas table build`.
-[[nodiscard]] SearchOptions default_search(std::uint64_t seed, int threads);
 
 /// How the mesh of a boundary was found.
 [[nodiscard]] std::string_view name_of(flips::FrontOrigin origin) noexcept;
@@ -51,7 +56,7 @@ class TableSearch {
   /// `targets`: codes of 3-connected quadrangulations with at most kMaxSearchQuads quads.
   TableSearch(std::vector<canon::Code> targets, const SearchOptions& options);
 
-  enum class Phase : std::uint8_t { sweep, exchange, collars, finished };
+  enum class Phase : std::uint8_t { sweep, exchange, cuts, collars, finished };
 
   [[nodiscard]] bool is_finished() const noexcept { return phase_ == Phase::finished; }
   /// Does the next piece of work. Requires that the search is not finished.
@@ -85,16 +90,43 @@ class TableSearch {
                                               std::vector<canon::Code> targets,
                                               const SearchOptions& options,
                                               const std::string& name);
+  /// A new search that begins with the balls and meshes of a saved one, which may have been for
+  /// other targets. Throws InvalidInput as above; the options of the balls must be the same.
+  [[nodiscard]] static TableSearch started_from(std::string_view bytes,
+                                                std::vector<canon::Code> targets,
+                                                const SearchOptions& options,
+                                                const std::string& name);
 
  private:
+  /// A mesh beside the beam: one that has no shelling with boundaries as short as the beam's.
+  struct Loose {
+    int hexahedra = 0;
+    flips::FrontOrigin origin = flips::FrontOrigin::joined;
+    std::string record;  ///< tables/format/record.hpp
+  };
+  struct Found {
+    complex::HexComplex mesh;
+    flips::FrontOrigin origin = flips::FrontOrigin::exchanged;
+    bool is_shelled = false;  ///< its hexahedra can be taken off as add_ball() requires
+  };
+
   void sweep_step();
   void exchange_step();
+  void cut_step();
   void collar_step();
-  void begin_collars();
+  void begin(Phase phase, std::size_t largest);
   void next_round();
-  [[nodiscard]] std::optional<flips::FrontId> smallest(const canon::Code& code) const;
+  [[nodiscard]] Found smaller(const canon::Code& code, const complex::HexComplex& mesh,
+                              flips::FrontOrigin origin) const;
+  [[nodiscard]] std::optional<Found> cut(const canon::Code& code) const;
+  void adopt(const canon::Code& code, const Found& found);
+  [[nodiscard]] std::uint64_t seed_for(const canon::Code& code) const;
+  [[nodiscard]] const Loose* loose(const canon::Code& code) const;
+  [[nodiscard]] complex::HexComplex unchecked_mesh(const canon::Code& code) const;
   [[nodiscard]] int hexahedra(const canon::Code& code) const;  ///< kNone without a mesh
+  [[nodiscard]] flips::FrontOrigin origin(const canon::Code& code) const;
   [[nodiscard]] std::string settings() const;
+  void restore_loose(std::string_view& bytes, const std::string& name);
 
   std::vector<canon::Code> targets_;
   SearchOptions options_;
@@ -102,7 +134,8 @@ class TableSearch {
   Phase phase_ = Phase::sweep;
   int round_ = 0;
   std::size_t position_ = 0;  ///< next target of the phase
-  int collared_from_ = 0;     ///< targets with so many hexahedra, or more, get collars
+  int taken_from_ = 0;        ///< the phase is for targets with so many hexahedra, or more
+  std::map<canon::Code, Loose> loose_;
 };
 
 /// The rows of a table. Cost: each mesh is made and validated.

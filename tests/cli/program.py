@@ -11,6 +11,18 @@ INPUTS = os.path.join(REPOSITORY, "experiments", "2026-11-quad-balls", "inputs")
 PROGRAM = ""
 
 
+def made_by(*arguments):
+    """Runs the program in an empty folder; the files that it leaves there, by name."""
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([PROGRAM, *arguments], cwd=folder, timeout=300, check=True,
+                       stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        made = {}
+        for name in sorted(os.listdir(folder)):
+            with open(os.path.join(folder, name), "rb") as file:
+                made[name] = file.read()
+        return made
+
+
 class Ran:
     def __init__(self, code, out, err):
         self.code, self.out, self.err = code, out, err

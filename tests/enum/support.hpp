@@ -147,20 +147,28 @@ inline flips::Shelling random_shelling(std::size_t hexahedra, int max_quads, Ran
   return shelling;
 }
 
-/// What is wrong with a mesh as a filling of a boundary in canonical labels; empty if nothing is:
-/// the strict rule and the boundary by sets, the laws of a ball by a shelling, backwards as listed.
-inline std::string fault_of_filling(const complex::HexComplex& mesh, const canon::Code& code) {
-  std::vector<oracle::Cell> cells(mesh.hexahedra.begin(), mesh.hexahedra.end());
+/// What is wrong with a mesh of a boundary in canonical labels; empty if nothing is: the strict
+/// rule and the boundary by sets, the laws of a ball but for a shelling.
+inline std::string fault_of_mesh(const complex::HexComplex& mesh, const canon::Code& code) {
+  const std::vector<oracle::Cell> cells(mesh.hexahedra.begin(), mesh.hexahedra.end());
   if (!oracle::obeys_strict_rule(cells)) return "breaks the strict rule";
   std::set<oracle::Cycle> wanted;
   const auto boundary = canon::decode(code);
   if (!boundary) return "has no boundary to fill";
   for (const auto& quad : boundary->list_of_quads()) wanted.insert(cycle(quad));
   if (oracle::boundary(cells) != wanted) return "has another boundary";
+  if (oracle::euler_characteristic(cells) != 1)
+    return "has another Euler characteristic than a ball";
   if (const auto law = complex::validate(mesh)) return law->reason;
-  std::reverse(cells.begin(), cells.end());
-  if (!oracle::is_shelling(cells)) return "is not listed as a shelling backwards";
   return "";
+}
+
+/// As fault_of_mesh(), for meshes listed as a shelling backwards, which proves them balls.
+inline std::string fault_of_filling(const complex::HexComplex& mesh, const canon::Code& code) {
+  const std::string fault = fault_of_mesh(mesh, code);
+  if (!fault.empty()) return fault;
+  std::vector<oracle::Cell> cells(mesh.hexahedra.rbegin(), mesh.hexahedra.rend());
+  return oracle::is_shelling(cells) ? "" : "is not listed as a shelling backwards";
 }
 
 }  // namespace hexatlas::support

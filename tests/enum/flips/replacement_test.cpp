@@ -146,7 +146,7 @@ TEST(Replacement, MakesMeshesSmallerAndKeepsTheirBoundary) {
     if (records.back().level == records.front().level || code.quads > 16) continue;
     // The whole mesh is a ball as well, so a smaller one is always at hand.
     const auto mesh = flips::filling_of(beam, records.back().id).mesh;
-    const flips::ReplacementOptions options{.growths = 5, .seed = 7};
+    const flips::ReplacementOptions options{.growths = 20, .seed = 7};
     const auto smaller = flips::smaller_by_replacement(mesh, code.quads, beam, options);
     ASSERT_TRUE(smaller) << canon::to_text(code);
     EXPECT_LT(smaller->hexahedra.size(), mesh.hexahedra.size());

@@ -26,3 +26,9 @@ hexatlas_test(enum_flips_replacement_test fast
 hexatlas_test(enum_flips_beam_bytes_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/beam_bytes_test.cpp
   USES enum_flips)
+hexatlas_test(enum_flips_disc_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/disc_test.cpp
+  USES enum_flips)
+hexatlas_test(enum_flips_cut_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/cut_test.cpp
+  USES enum_flips)

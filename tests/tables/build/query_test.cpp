@@ -43,7 +43,7 @@ TEST(Query, FillsBoundariesByWayOfTheTable) {
     const auto mesh = build::fill_through(table, code, options);
     if (!mesh) continue;
     ++filled;
-    EXPECT_EQ(support::fault_of_filling(*mesh, code), "") << canon::to_text(code);
+    EXPECT_EQ(support::fault_of_mesh(*mesh, code), "") << canon::to_text(code);
     options.threads = 3;
     EXPECT_EQ(build::fill_through(table, code, options)->hexahedra, mesh->hexahedra);
   }
@@ -57,7 +57,7 @@ TEST(Query, GivesWhatIsInTheTable) {
     const auto mesh = build::fill_through(table, table.entry(i).code);
     ASSERT_TRUE(mesh);
     EXPECT_EQ(mesh->hexahedra.size(), table.entry(i).hexahedra);
-    EXPECT_EQ(support::fault_of_filling(*mesh, table.entry(i).code), "");
+    EXPECT_EQ(support::fault_of_mesh(*mesh, table.entry(i).code), "");
   }
 }
 

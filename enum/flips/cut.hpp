@@ -1,0 +1,40 @@
+#pragma once
+/// \file
+/// Meshes of a boundary put together from two balls that share a disc.
+///
+/// A *cut* of a boundary Q is a disc of new quads and interior vertices, spanned inside by a circle
+/// of edges of Q. It makes of Q the boundaries of two balls: each consists of one side of the
+/// circle and the disc. If both are known, their union is a mesh of Q, and obeys the strict rule
+/// if and only if no pair of vertices of the disc that lies in no quad of it is related in both
+/// (docs/theory/proofs/front.md, section 7).
+///
+/// The union need not have a shelling with short boundaries: cuts reach what flips do not, such as
+/// boundaries around two vertices of high degree.
+
+#include <optional>
+
+#include "enum/canon/code.hpp"
+#include "enum/complex/hex_complex.hpp"
+#include "enum/flips/meeting.hpp"
+
+namespace hexatlas::flips {
+
+struct CutOptions {
+  int max_circle = 8;    ///< edges of the circle, at most 10
+  int max_interior = 4;  ///< vertices inside the disc, at most 4
+  int max_quads = 24;    ///< of the boundaries of the two balls, at most kMaxSearchQuads
+  int below = 1 << 14;   ///< only meshes with fewer hexahedra are of interest
+};
+
+/// The least mesh of `target` among all unions of two balls of `balls` along a disc within the
+/// limits, or nullopt. Vertices 0 .. quads+1 are those of the boundary in canonical labels;
+/// right-handed if the canonical list of quads is counter-clockwise from outside. Requires that
+/// `target` is the code of a 3-connected quadrangulation with at most kMaxSearchQuads quads.
+/// Deterministic. Safe to call from several threads.
+/// Cost: some ten milliseconds for 20 quads and the default limits, and one balls_with() per
+/// boundary of a ball that may lead to a smaller mesh.
+[[nodiscard]] std::optional<complex::HexComplex> best_cut(const BallSource& balls,
+                                                          const canon::Code& target,
+                                                          const CutOptions& options);
+
+}  // namespace hexatlas::flips

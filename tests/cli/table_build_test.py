@@ -1,0 +1,117 @@
+#!/usr/bin/env python3
+"""Claim. `table build` writes the same bytes for any number of threads, a manifest and a census
+beside them, and tells before the search what would be in vain; a build that is stopped leaves
+nothing.
+Oracle. A second build; hashlib; the signals are sent from here.
+"""
+import hashlib
+import json
+import os
+import signal
+import subprocess
+import time
+
+import program
+from table_files import QUICK, SMALL
+
+
+class Build(program.ProgramTest):
+    def build(self, name, *options):
+        return self.expect(0, self.hexatlas("table", "build", "-o", name, *SMALL, *options))
+
+    def test_same_bytes_for_any_number_of_threads(self):
+        self.build("a.hxt", "-j", "1")
+        self.build("b.hxt", "-j", "2")
+        self.assertEqual(self.read("a.hxt"), self.read("b.hxt"))
+        manifests = [json.loads(self.read(f"{name}.manifest.json")) for name in "ab"]
+        for manifest in manifests:
+            for key in ("command", "file"):
+                del manifest[key]
+        self.assertEqual(*manifests)
+
+    def test_manifest(self):
+        ran = self.build("small.hxt", "--seed", "5")
+        self.assertEqual(self.listing(), ["small.census.sqlite", "small.hxt", "small.manifest.json"])
+        data = self.read("small.hxt")
+        digest = hashlib.sha256(data).hexdigest()
+        self.assertEqual(ran.out, f"small.hxt: 2 meshes, {len(data)} bytes, sha256 {digest}\n")
+        self.assertEqual(ran.err, "")
+        manifest = json.loads(self.read("small.manifest.json"))
+        self.assertEqual(list(manifest), ["format", "file", "bytes", "sha256", "entries",
+                                          "complete_through", "by_quads",
+                                          "names", "command", "seed", "program", "commit"])
+        self.assertEqual(manifest["sha256"], digest)
+        self.assertEqual(manifest["bytes"], len(data))
+        self.assertEqual((manifest["seed"], manifest["complete_through"]), (5, 6))
+        self.assertEqual(manifest["command"],
+                         "hexatlas " + " ".join(["table", "build", "-o", "small.hxt", *SMALL, "--seed", "5"]))
+        one = {"entries": 1, "least": 1, "greatest": 1, "total": 1}
+        self.assertEqual(manifest["by_quads"]["6"], one)
+
+    def test_what_would_be_in_vain_is_told_before_the_search(self):
+        os.mkdir(self.path("folder.hxt"))
+        os.mkdir(self.path("b.manifest.json"))
+        for output, named in (("nowhere/a.hxt", "nowhere/a.hxt"), ("folder.hxt", "folder.hxt"),
+                              ("b.hxt", "b.manifest.json"), ("c" * 300, "c" * 300),
+                              ("c" * 250, "c" * 250 + ".manifest.json")):
+            ran = self.hexatlas("table", "build", "-o", output, "--max-quads", "18")
+            self.expect_fault(ran, named)
+        for word in ("pyramid", "q1:", "q1:zz", "q1:08a5d", "q1:18a5df", "08a5df"):
+            ran = self.hexatlas("table", "build", "-o", "a.hxt", "--max-quads", "18", "--also", word)
+            self.expect_fault(ran, word)
+        self.assertEqual(self.listing(), ["b.manifest.json", "folder.hxt"])
+
+    def test_a_manifest_that_cannot_be_written(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("no /dev/full")
+        os.symlink("/dev/full", self.path("a.manifest.json"))
+        ran = self.expect(5, self.hexatlas("table", "build", "-o", "a.hxt", *SMALL))
+        self.assertEqual(ran.out, "")
+        self.assertIn("the table a.hxt was written, its manifest or its census was not\n", ran.err)
+        os.remove(self.path("a.manifest.json"))
+        self.expect(0, self.hexatlas("table", "check", "a.hxt"))
+
+    def test_seeds_are_whole_numbers_of_64_bits(self):
+        for word, seed in (("0", 0), ("010", 10), ("9007199254740993", 2**53 + 1),
+                           ("18446744073709551615", 2**64 - 1)):
+            self.build("a.hxt", "--seed", word)
+            self.assertEqual(json.loads(self.read("a.manifest.json"))["seed"], seed)
+        for word in ("-1", "+1", "1e3", "1.5", "0x5", "seven", "", " 7", "7 ",
+                     "18446744073709551616", "1" * 400):
+            with self.subTest(seed=word):
+                ran = self.expect(2, self.hexatlas("table", "build", "-o", "b.hxt", *SMALL,
+                                                   "--seed", word))
+                self.assertRegex(ran.err, r"\Ahexatlas: --seed: [^\n]+\n\Z")
+        self.assertEqual(self.listing(), ["a.census.sqlite", "a.hxt", "a.manifest.json"])
+
+    def test_wrong_options(self):
+        for options in (["-o", "-"], ["-o", ""], ["--output="], ["-o", "a.hxt", "--max-quads", "40"],
+                        ["-o", "a.hxt", "--max-quads", "ten"], ["-o", "a.hxt", "--seed", "-1"],
+                        ["-o", "a.hxt", "-j", "0"], ["-o", "a.hxt", "--max-hexahedra", "0"], []):
+            with self.subTest(options=options):
+                ran = self.expect(2, self.hexatlas("table", "build", *options))
+                self.assertRegex(ran.err, r"\Ahexatlas: [^\n]+\n\Z")
+                self.assertEqual(self.listing(), [])
+
+    def test_stopped_by_force(self):
+        for delay in (0.05, 0.3):
+            for number in (signal.SIGKILL, signal.SIGTERM, signal.SIGINT):
+                with subprocess.Popen(
+                        [program.PROGRAM, "table", "build", "-o", "a.hxt", "--max-quads", "14", "-j",
+                         "1"], cwd=self.folder, stdout=subprocess.PIPE,
+                        stderr=subprocess.DEVNULL) as running:
+                    time.sleep(delay)
+                    running.send_signal(number)
+                    self.assertEqual(running.communicate()[0], b"")
+                self.assertNotEqual(running.returncode, 0)
+                self.assertEqual(self.listing(), [])
+
+    def test_what_is_not_found_is_said(self):
+        ran = self.expect(4, self.hexatlas("table", "build", "-o", "a.hxt", *QUICK, "--also",
+                                           "octagonal-spindle", "--max-hexahedra", "2"))
+        self.assertEqual(ran.err, "hexatlas: no mesh found for q1:088a577f; it is not in the table\n")
+        self.assertEqual(self.listing(), ["a.census.sqlite", "a.hxt", "a.manifest.json"])
+
+
+if __name__ == "__main__":
+    program.main()
