@@ -43,6 +43,8 @@ void FrontStore::append_family(const canon::Code& code, std::vector<StoredFront>
   core::expects(shard.families.size() == before + 1, "a family is restored once");
   shard.fronts += fronts.size();
   own.fronts = std::move(fronts);
+  for (const StoredFront& front : own.fronts)
+    own.level_floor = std::min(own.level_floor, front.level);
 }
 
 void FrontStore::set_scars(FrontId id, const Scars& scars) noexcept {
@@ -112,6 +114,7 @@ void FrontStore::offer(std::size_t number, const Offer& offer) {
     own.fronts.erase(kept, own.fronts.end());
   }
   if (!make_room(shard, own, made)) return;
+  own.level_floor = std::min(own.level_floor, made.level);
   own.fronts.push_back(made);
   ++shard.fronts;
 }
@@ -140,6 +143,7 @@ FrontId FrontStore::add(const Offer& offer, FrontOrigin origin) {
     if (own.fronts[place].level <= offer.level &&
         own.fronts[place].scars.is_subset_of(offer.state.scars))
       return {family, static_cast<std::uint32_t>(place)};
+  own.level_floor = std::min(own.level_floor, offer.level);
   own.fronts.push_back({.scars = offer.state.scars,
                         .parent = offer.parent,
                         .flip = offer.flip,

@@ -75,8 +75,9 @@ class FrontStore {
   struct Family {
     canon::Code code;
     std::vector<StoredFront> fronts;
-    std::uint32_t pass = 0;         ///< the last pass in which fronts came
-    std::uint32_t fresh_begin = 0;  ///< first place of that pass
+    std::uint32_t pass = 0;             ///< the last pass in which fronts came
+    std::uint32_t fresh_begin = 0;      ///< first place of that pass
+    std::uint16_t level_floor = 65535;  ///< no front has a lower level
   };
 
   explicit FrontStore(const Limits& limits) : limits_(limits), shards_(kShards) {}

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <random>
 
 #include "enum/cells/cube.hpp"
 #include "enum/core/checks.hpp"
@@ -30,10 +29,9 @@ std::optional<Fit> fit(const SubBall& ball, const Beam& balls, int most, std::ui
   canon::canonical_flags(boundary, flags);
   const auto number = balls.store().find(flags.code);
   if (!number) return std::nullopt;
-  const auto& known = balls.store().family(*number).fronts;
-  if (std::none_of(known.begin(), known.end(),
-                   [&](const StoredFront& f) { return f.level + 1 <= most; }))
-    return std::nullopt;
+  const FrontStore::Family& family = balls.store().family(*number);
+  if (family.level_floor + 1 > most) return std::nullopt;
+  const auto& known = family.fronts;
   const Relation quads = relation_of_quads(boundary);
   const Relation outside = ball.related_outside();
   std::vector<Fit> fits;
@@ -66,28 +64,31 @@ HexComplex exchanged(const HexComplex& mesh, const SubBall& ball, const Beam& ba
   return result;
 }
 
+/// SplitMix64: Steele, Lea, Flood (OOPSLA 2014). Fast, and good enough to choose by.
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  [[nodiscard]] std::uint64_t number() { return engine_(); }
-  [[nodiscard]] std::size_t below(std::size_t n) { return static_cast<std::size_t>(engine_() % n); }
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  [[nodiscard]] std::uint64_t number() noexcept {
+    std::uint64_t z = state_ += 0x9E3779B97F4A7C15ULL;
+    z = (z ^ z >> 30U) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ z >> 27U) * 0x94D049BB133111EBULL;
+    return z ^ z >> 31U;
+  }
+  [[nodiscard]] std::size_t below(std::size_t n) noexcept {
+    return static_cast<std::size_t>(number() % n);
+  }
 
  private:
-  std::mt19937_64 engine_;
+  std::uint64_t state_;
 };
 
-/// A hexahedron to grow by: of a few candidates at random the one with the most facets on the ball,
-/// which keeps the boundary short. kOutside: none was found.
-bool grow_somewhere(SubBall& ball, const SubBall::Neighbours& neighbours, Random& random) {
+/// Grows by one of the hexahedra that touch: of those with the most facets on the ball, which keep
+/// the boundary short, one at random; by another one if that is impossible.
+bool grow_somewhere(SubBall& ball, Random& random) {
   std::vector<std::pair<int, std::uint32_t>> candidates;
-  for (const std::uint32_t cell : ball.cells())
-    for (const std::uint32_t other : neighbours[cell])
-      if (other != SubBall::kOutside && !ball.contains(other)) {
-        const int shared = static_cast<int>(
-            std::count_if(neighbours[other].begin(), neighbours[other].end(),
-                          [&](auto n) { return n != SubBall::kOutside && ball.contains(n); }));
-        candidates.emplace_back(4 * shared + static_cast<int>(random.below(6)), other);
-      }
+  candidates.reserve(ball.touching().size());
+  for (const std::uint32_t cell : ball.touching())
+    candidates.emplace_back(4 * ball.shared(cell) + static_cast<int>(random.below(6)), cell);
   std::sort(candidates.rbegin(), candidates.rend());
   return std::any_of(candidates.begin(), candidates.end(),
                      [&](const auto& candidate) { return ball.grow(candidate.second); });
@@ -108,7 +109,7 @@ struct WorkedMesh {
 std::optional<HexComplex> in_shelling_order(const WorkedMesh& worked, int tries, Random& random) {
   for (int attempt = 0; attempt < tries; ++attempt) {
     SubBall ball = worked.ball_somewhere(random);
-    while (grow_somewhere(ball, worked.neighbours, random)) {
+    while (grow_somewhere(ball, random)) {
     }
     if (ball.cells().size() < worked.mesh.hexahedra.size()) continue;
     HexComplex result{worked.mesh.vertices, {}};
@@ -131,7 +132,7 @@ std::optional<HexComplex> exchanged_somewhere(const WorkedMesh& worked, int quad
   const HexComplex& mesh = worked.mesh;
   SubBall ball = worked.ball_somewhere(random);
   std::optional<HexComplex> sideways;
-  while (grow_somewhere(ball, worked.neighbours, random)) {
+  while (grow_somewhere(ball, random)) {
     const int size = static_cast<int>(ball.cells().size());
     const bool may_go_sideways = !sideways && random.below(8) == 0;
     const auto found = fit(ball, balls, may_go_sideways ? size : size - 1, random.number());

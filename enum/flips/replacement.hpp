@@ -53,6 +53,10 @@ class SubBall {
 
   [[nodiscard]] bool contains(std::uint32_t cell) const noexcept { return inside_[cell]; }
   [[nodiscard]] const std::vector<std::uint32_t>& cells() const noexcept { return cells_; }
+  /// The hexahedra outside that share a facet with the ball, in no particular order, and how many
+  /// facets one shares with it.
+  [[nodiscard]] const std::vector<std::uint32_t>& touching() const noexcept { return touching_; }
+  [[nodiscard]] int shared(std::uint32_t cell) const noexcept { return shared_[cell]; }
   [[nodiscard]] const Front& front() const noexcept { return front_; }
   /// Mesh vertex of a vertex of front().boundary.
   [[nodiscard]] complex::VertexId rim(complex::Vertex v) const noexcept { return rim_[v]; }
@@ -66,8 +70,11 @@ class SubBall {
  private:
   const complex::HexComplex& mesh_;
   const Neighbours& neighbours_;
+  void take_in(std::uint32_t cell);
+
   std::vector<bool> inside_;
-  std::vector<std::uint32_t> cells_;
+  std::vector<std::uint8_t> shared_;
+  std::vector<std::uint32_t> cells_, touching_;
   Front front_;
   std::array<complex::VertexId, kMaxFrontQuads + 2> rim_{};
   std::vector<complex::Vertex> on_rim_;

@@ -68,10 +68,10 @@ SubBall::SubBall(const complex::HexComplex& mesh, const Neighbours& neighbours, 
     : mesh_(mesh),
       neighbours_(neighbours),
       inside_(mesh.hexahedra.size()),
-      cells_{first},
+      shared_(mesh.hexahedra.size()),
       front_(single_hexahedron()),
       on_rim_(mesh.vertices, kNewVertex) {
-  inside_[first] = true;
+  take_in(first);
   for (std::size_t corner = 0; corner < 8; ++corner) {
     rim_[corner] = mesh.hexahedra[first][corner];
     on_rim_[rim_[corner]] = static_cast<Vertex>(corner);
@@ -104,9 +104,16 @@ bool SubBall::grow(std::uint32_t cell) {
   front_ = next.front;
   for (int v = 0; v < front_.boundary.vertices(); ++v)
     on_rim_[rim_[static_cast<std::size_t>(v)]] = static_cast<Vertex>(v);
+  take_in(cell);
+  return true;
+}
+
+void SubBall::take_in(std::uint32_t cell) {
   inside_[cell] = true;
   cells_.push_back(cell);
-  return true;
+  std::erase(touching_, cell);
+  for (const std::uint32_t other : neighbours_[cell])
+    if (other != kOutside && !inside_[other] && shared_[other]++ == 0) touching_.push_back(other);
 }
 
 Relation SubBall::related_outside() const {

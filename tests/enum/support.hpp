@@ -165,7 +165,7 @@ inline std::string fault_of_mesh(const complex::HexComplex& mesh, const canon::C
 
 /// As fault_of_mesh(), for meshes listed as a shelling backwards, which proves them balls.
 inline std::string fault_of_filling(const complex::HexComplex& mesh, const canon::Code& code) {
-  const std::string fault = fault_of_mesh(mesh, code);
+  std::string fault = fault_of_mesh(mesh, code);
   if (!fault.empty()) return fault;
   std::vector<oracle::Cell> cells(mesh.hexahedra.rbegin(), mesh.hexahedra.rend());
   return oracle::is_shelling(cells) ? "" : "is not listed as a shelling backwards";

@@ -12,7 +12,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -234,14 +233,6 @@ Match random_match(const Ball& a, const Ball& b, std::size_t quads, support::Ran
   return match;
 }
 
-/// As support::fault_of_filling(), but a union of two balls need not be listed as a shelling.
-std::string fault_of_union(const complex::HexComplex& mesh, const canon::Code& code) {
-  const std::string fault = support::fault_of_filling(mesh, code);
-  if (!fault.empty() && fault != "is not listed as a shelling backwards") return fault;
-  const std::vector<oracle::Cell> cells(mesh.hexahedra.begin(), mesh.hexahedra.end());
-  return oracle::euler_characteristic(cells) == 1 ? "" : "has not Euler's count of a ball";
-}
-
 TEST(Cut, TwoBallsAreGluedExactlyWhereNoOpenPairIsRelatedInBoth) {
   const auto balls = all_balls(grown(18, 10, 300, 6));
   support::Random random(11);
@@ -261,7 +252,7 @@ TEST(Cut, TwoBallsAreGluedExactlyWhereNoOpenPairIsRelatedInBoth) {
   // A single quad has no open pair.
   EXPECT_EQ(refused[1], 0);
   for (std::size_t quads = 2; quads <= 6; ++quads) {
-    EXPECT_GT(allowed[quads], quads < 5 ? 10 : 4) << quads;
+    EXPECT_GT(allowed[quads], quads < 5 ? 10 : 3) << quads;
     EXPECT_GT(refused[quads], 50) << quads;
   }
 }
@@ -273,7 +264,7 @@ void expect_least(const flips::BallSource& balls, const canon::Code& code,
   const auto found = flips::best_cut(balls, code, options);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->hexahedra.size(), least);
-  EXPECT_EQ(fault_of_union(*found, code), "");
+  EXPECT_EQ(support::fault_of_mesh(*found, code), "");
   options.below = static_cast<int>(least);
   EXPECT_FALSE(flips::best_cut(balls, code, options));
   ++options.below;
@@ -343,7 +334,7 @@ TEST(Cut, TheLeastOfAllUnionsIsFound) {
   EXPECT_GT(least.size(), 300U);
   std::size_t i = 0;
   for (const auto& [code, hexahedra] : least)
-    if (code.quads < 16 || ++i % 8 == 0) expect_least(source, code, options, hexahedra);
+    if (code.quads < 16 || ++i % 16 == 0) expect_least(source, code, options, hexahedra);
   // Of the other boundaries none is a union.
   auto classes = support::four_cycle_class();
   std::size_t others = 0;
@@ -386,7 +377,7 @@ TEST(Cut, WhatAWideDiscJoinsIsFound) {
   support::Random random(12);
   std::map<std::pair<int, int>, int> found;  // by edges of the circle and vertices inside
   int unknown = 0;
-  for (int trial = 0; trial < 12000; ++trial) {
+  for (int trial = 0; trial < 15000; ++trial) {
     const Ball& a = balls[random.below(balls.size())];
     const Ball& b = balls[random.below(balls.size())];
     const Match match = random_match(a, b, 3 + random.below(5), random);
