@@ -244,7 +244,9 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
   effort("--growths", search.growths, 0, 1'000'000, "Exchanges tried per boundary and round");
   effort("--cut", search.cut, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round that are cut in two, those with the largest meshes");
-  effort("--cut-growths", search.cut_growths, 0, 1'000'000, "Exchanges tried for each of these");
+  effort("--cuts-each", search.cuts_each, std::size_t{1}, std::size_t{10'000},
+         "Cuts of each of these");
+  effort("--cut-growths", search.cut_growths, 0, 1'000'000, "Exchanges tried per cut");
   effort("--collared", search.collared, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round for which collars are grown, those with the largest meshes");
   effort("--memory", options->memory_gib, 1, 4096, "GiB that the balls may take, about");

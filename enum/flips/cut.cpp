@@ -96,23 +96,23 @@ class CutSearch {
         q_(canon::decode(target).value()),
         graph_(graph_of(q_)),
         options_(options),
-        best_(options.below) {}
+        below_(options.below) {}
 
-  /// Cuts that may be made are listed first, then tried from the least sum of two balls on: once a
-  /// mesh is found, most of them need no look at their balls.
-  std::optional<complex::HexComplex> run() {
+  /// Cuts that may be made are listed first, then tried from the least sum of two balls on: once
+  /// meshes are found, most of them need no look at their balls.
+  std::vector<complex::HexComplex> run() {
     for (int length = 4; length <= options_.max_circle; length += 2)
       for (const Circle& circle : circles(graph_, q_.vertices(), length)) list_cuts(circle);
     std::stable_sort(cuts_.begin(), cuts_.end(),
                      [](const Cut& a, const Cut& b) { return a.least < b.least; });
     for (const Cut& cut : cuts_) {
-      if (cut.least >= best_) break;
+      if (cut.least >= below_) break;
       std::array<Side, 2> sides;
       (void)make_sides(cut, sides);
       list_pairs(cut.disc);
       match(sides);
     }
-    return std::move(mesh_);
+    return std::move(meshes_);
   }
 
  private:
@@ -164,7 +164,7 @@ class CutSearch {
     std::array<Side, 2> sides;
     if (!make_sides(cut, sides)) return;
     cut.least = sides[0].least + sides[1].least;
-    if (cut.least < best_) cuts_.push_back(std::move(cut));
+    if (cut.least < below_) cuts_.push_back(std::move(cut));
   }
 
   /// False if one of them is no boundary of a known ball.
@@ -267,20 +267,32 @@ class CutSearch {
   void match(const std::array<Side, 2>& sides) {
     for (const auto& [a, b] : pairs_)
       if ((sides[0].of_quads[a] & sides[1].of_quads[a] & bit(b)) != 0) return;
-    const std::vector<Turned> first = turned(sides[0], best_ - sides[1].least);
-    const std::vector<Turned> second = turned(sides[1], best_ - sides[0].least);
-    std::optional<std::pair<Turned, Turned>> found;
+    const std::vector<Turned> first = turned(sides[0], below_ - sides[1].least);
+    const std::vector<Turned> second = turned(sides[1], below_ - sides[0].least);
+    int below = below_;
+    std::optional<std::array<Turned, 2>> found;
     for (const Turned& one : first)
       for (const Turned& other : second) {
-        if (one.hexahedra + other.hexahedra >= best_) break;
+        if (one.hexahedra + other.hexahedra >= below) break;
         if ((one.pairs & other.pairs) != 0) continue;
-        best_ = one.hexahedra + other.hexahedra;
-        found.emplace(one, other);
+        below = one.hexahedra + other.hexahedra;
+        found = {one, other};
       }
-    if (found) assemble(sides, {found->first, found->second});
+    if (found) keep(assembled(sides, *found));
   }
 
-  void assemble(const std::array<Side, 2>& sides, const std::array<Turned, 2>& chosen) {
+  void keep(complex::HexComplex mesh) {
+    const auto place = std::upper_bound(
+        meshes_.begin(), meshes_.end(), mesh,
+        [](const auto& a, const auto& b) { return a.hexahedra.size() < b.hexahedra.size(); });
+    meshes_.insert(place, std::move(mesh));
+    if (meshes_.size() > options_.count) meshes_.pop_back();
+    if (meshes_.size() == options_.count)
+      below_ = std::min(below_, static_cast<int>(meshes_.back().hexahedra.size()));
+  }
+
+  [[nodiscard]] complex::HexComplex assembled(const std::array<Side, 2>& sides,
+                                              const std::array<Turned, 2>& chosen) const {
     complex::HexComplex mesh{complex::kMaxVertices, {}};
     for (std::size_t s = 0; s < 2; ++s) {
       const Side& side = sides[s];
@@ -292,15 +304,15 @@ class CutSearch {
     }
     std::vector<VertexId> boundary(static_cast<std::size_t>(q_.vertices()));
     std::iota(boundary.begin(), boundary.end(), 0U);
-    mesh_ = renumbered(std::move(mesh), boundary);
+    return renumbered(std::move(mesh), boundary);
   }
 
   const BallSource& source_;
   Quadrangulation q_;
   Graph graph_;
   CutOptions options_;
-  int best_;
-  std::optional<complex::HexComplex> mesh_;
+  int below_;
+  std::vector<complex::HexComplex> meshes_;
   std::unordered_map<canon::Code, std::vector<KnownBall>> known_;
   std::vector<Cut> cuts_;
   std::vector<std::pair<Vertex, Vertex>> pairs_;
@@ -308,13 +320,21 @@ class CutSearch {
 
 }  // namespace
 
-std::optional<complex::HexComplex> best_cut(const BallSource& balls, const canon::Code& target,
-                                            const CutOptions& options) {
+std::vector<complex::HexComplex> best_cuts(const BallSource& balls, const canon::Code& target,
+                                           const CutOptions& options) {
   core::expects(options.max_circle <= static_cast<int>(kMaxCircle) &&
                     options.max_interior <= static_cast<int>(kMaxInterior) &&
-                    options.max_quads <= kMaxSearchQuads,
+                    options.max_quads <= kMaxSearchQuads && options.count > 0,
                 "a cut is small");
   return CutSearch(balls, target, options).run();
+}
+
+std::optional<complex::HexComplex> best_cut(const BallSource& balls, const canon::Code& target,
+                                            CutOptions options) {
+  options.count = 1;
+  std::vector<complex::HexComplex> meshes = best_cuts(balls, target, options);
+  if (meshes.empty()) return std::nullopt;
+  return std::move(meshes.front());
 }
 
 }  // namespace hexatlas::flips

@@ -109,26 +109,30 @@ void TableSearch::exchange_step() {
 }
 
 TableSearch::Found TableSearch::smaller(const canon::Code& code, const complex::HexComplex& mesh,
-                                        flips::FrontOrigin origin) const {
+                                        flips::FrontOrigin origin, int growths) const {
   Found found{mesh, origin};
-  if (auto made = flips::smaller_by_replacement(mesh, code.quads, balls_,
-                                                {options_.cut_growths, seed_for(code), false}))
+  if (auto made =
+          flips::smaller_by_replacement(mesh, code.quads, balls_, {growths, seed_for(code), false}))
     found = {*std::move(made), flips::FrontOrigin::exchanged};
   return found;
 }
 
-/// The least of what comes from the mesh known and from a cut, if it is any progress.
+/// The least of what comes from the mesh known and from cuts, if it is any progress. A boundary
+/// without a mesh gets one first, and more of the effort in later rounds.
 std::optional<TableSearch::Found> TableSearch::cut(const canon::Code& code) const {
-  constexpr int kWorthATry = 8;  // exchange may well take off so many
-  constexpr int kShellings = 30;
+  constexpr int kWorthATry = 10;  // exchange may well take off so many
+  constexpr int kShellings = 10;
   const int known = hexahedra(code);
+  const int growths = known == kNone ? options_.growths : options_.cut_growths;
   flips::CutOptions limits;
   limits.max_quads = options_.balls.max_quads;
   limits.below = known + kWorthATry;
+  limits.count = known == kNone ? 1 : options_.cuts_each;
   std::vector<Found> candidates;
-  if (auto mesh = flips::best_cut(flips::BeamBalls(balls_), code, limits))
-    candidates.push_back(smaller(code, *mesh, flips::FrontOrigin::joined));
-  if (known != kNone) candidates.push_back(smaller(code, unchecked_mesh(code), origin(code)));
+  for (const auto& mesh : flips::best_cuts(flips::BeamBalls(balls_), code, limits))
+    candidates.push_back(smaller(code, mesh, flips::FrontOrigin::joined, growths));
+  if (known != kNone)
+    candidates.push_back(smaller(code, unchecked_mesh(code), origin(code), growths));
   const auto least =
       std::min_element(candidates.begin(), candidates.end(), [](const Found& a, const Found& b) {
         return a.mesh.hexahedra.size() < b.mesh.hexahedra.size();

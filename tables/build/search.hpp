@@ -36,11 +36,12 @@ namespace hexatlas::build {
 struct SearchOptions {
   /// Of the balls grown. The seed and the threads are those of the whole search.
   flips::BeamOptions balls{.max_quads = 24, .fronts_per_class = 200, .fronts_per_level = 1'000'000};
-  int max_hexahedra = 72;  ///< of a ball
-  int rounds = 3;          ///< each: sweep, exchange, cuts, collars
-  int growths = 20;        ///< of exchange, per boundary and round
-  std::size_t cut = 1000;  ///< boundaries per round
-  int cut_growths = 300;   ///< of exchange, for each of them
+  int max_hexahedra = 72;      ///< of a ball
+  int rounds = 3;              ///< each: sweep, exchange, cuts, collars
+  int growths = 20;            ///< of exchange, per boundary and round
+  std::size_t cut = 1000;      ///< boundaries per round
+  std::size_t cuts_each = 10;  ///< cuts of one boundary, each of which gets its exchange
+  int cut_growths = 300;       ///< of exchange, per cut
   /// Some boundaries have no flip that adds less than four quads.
   flips::BeamOptions collars{
       .max_quads = flips::kMaxSearchQuads, .fronts_per_class = 20, .fronts_per_level = 3'000};
@@ -117,7 +118,7 @@ class TableSearch {
   void begin(Phase phase, std::size_t largest);
   void next_round();
   [[nodiscard]] Found smaller(const canon::Code& code, const complex::HexComplex& mesh,
-                              flips::FrontOrigin origin) const;
+                              flips::FrontOrigin origin, int growths) const;
   [[nodiscard]] std::optional<Found> cut(const canon::Code& code) const;
   void adopt(const canon::Code& code, const Found& found);
   [[nodiscard]] std::uint64_t seed_for(const canon::Code& code) const;

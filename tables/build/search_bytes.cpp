@@ -61,7 +61,7 @@ std::string TableSearch::settings() const {
   for (const std::uint64_t number :
        {static_cast<std::uint64_t>(options_.max_hexahedra),
         static_cast<std::uint64_t>(options_.growths), std::uint64_t{options_.cut},
-        static_cast<std::uint64_t>(options_.cut_growths),
+        std::uint64_t{options_.cuts_each}, static_cast<std::uint64_t>(options_.cut_growths),
         static_cast<std::uint64_t>(options_.collars.max_quads),
         std::uint64_t{options_.collars.fronts_per_class},
         std::uint64_t{options_.collars.fronts_per_level},

@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""Damages the shipped table in 10,000 ways and has each one judged. Prints what was accepted.
+
+Most are found by the digest alone; SEALED of them get a right digest, so that the laws must find them.
+
+usage: corruptions.py PROGRAM TABLE FOLDER
+"""
+import hashlib
+import os
+import random
+import subprocess
+import sys
+
+NUMBER, SEALED = 10_000, 40
+DIGEST = slice(96, 128)
+
+
+def flip(data, draw):
+    for _ in range(draw.randint(1, 4)):
+        data[draw.randrange(len(data))] ^= 1 << draw.randrange(8)
+
+
+def cut(data, draw):
+    del data[draw.randrange(len(data)):]
+
+
+def drop(data, draw):
+    at = draw.randrange(len(data))
+    del data[at:at + draw.randint(1, 100)]
+
+
+def repeat(data, draw):
+    at = draw.randrange(len(data))
+    data[at:at] = data[at:at + draw.randint(1, 100)]
+
+
+def exchange(data, draw):
+    a, b = sorted(draw.sample(range(len(data) - 64), 2))
+    data[a:a + 16], data[b:b + 16] = data[b:b + 16], data[a:a + 16]
+
+
+def sealed_change(data, draw):
+    data[draw.randrange(128, len(data))] ^= 1 << draw.randrange(8)
+    data[DIGEST] = bytes(32)
+    data[DIGEST] = hashlib.sha256(data).digest()
+
+
+def main():
+    program, folder = os.path.abspath(sys.argv[1]), sys.argv[3]
+    with open(sys.argv[2], "rb") as file:
+        good = file.read()
+    draw = random.Random(1)
+    path = os.path.join(folder, "damaged.hxt")
+    made, accepted, crashed = {}, 0, 0
+    while sum(made.values()) < NUMBER:
+        change = sealed_change if made.get("sealed_change", 0) < SEALED else draw.choice(
+            (flip, cut, drop, repeat, exchange))
+        data = bytearray(good)
+        change(data, draw)
+        if data == good:
+            continue
+        made[change.__name__] = made.get(change.__name__, 0) + 1
+        with open(path, "wb") as file:
+            file.write(data)
+        ran = subprocess.run([program, "table", "check", path], check=False, capture_output=True)
+        accepted += ran.returncode == 0
+        crashed += ran.returncode not in (0, 1, 3)
+    for kind, count in made.items():
+        print(kind, count, sep="\t")
+    print("accepted", accepted, sep="\t")
+    print("ended otherwise than with a verdict", crashed, sep="\t")
+    sys.exit(1 if accepted or crashed else 0)
+
+
+main()
