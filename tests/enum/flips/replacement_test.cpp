@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "enum/flips/meeting.hpp"
+#include "tests/enum/flips/small_beam.hpp"
 #include "tests/enum/support.hpp"
 
 namespace {
@@ -20,17 +21,7 @@ using namespace hexatlas;
 using complex::Vertex;
 using flips::Beam;
 using flips::SubBall;
-
-Beam grown(int max_quads, std::size_t per_class, std::size_t per_level, int levels) {
-  flips::BeamOptions options;
-  options.max_quads = max_quads;
-  options.fronts_per_class = per_class;
-  options.fronts_per_level = per_level;
-  Beam beam(flips::canonical_state(flips::single_hexahedron()).state, options);
-  while (beam.level() < levels && beam.expand_level() > 0) {
-  }
-  return beam;
-}
+using support::grown;
 
 std::vector<oracle::Cell> cells_of(const complex::HexComplex& mesh) {
   return {mesh.hexahedra.begin(), mesh.hexahedra.end()};

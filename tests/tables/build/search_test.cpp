@@ -53,6 +53,7 @@ build::SearchOptions small(int threads) {
   options.max_hexahedra = 40;
   options.growths = 4;
   options.cut = 5;
+  options.cuts_each = 2;
   options.cut_growths = 4;
   options.collars.fronts_per_level = 60;
   options.max_collar = 3;

@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// Small beams for tests.
+
+#include "enum/flips/beam.hpp"
+
+namespace hexatlas::support {
+
+/// From the single hexahedron, so many levels far.
+inline flips::Beam grown(int max_quads, std::size_t per_class, std::size_t per_level, int levels) {
+  flips::BeamOptions options;
+  options.max_quads = max_quads;
+  options.fronts_per_class = per_class;
+  options.fronts_per_level = per_level;
+  flips::Beam beam(flips::canonical_state(flips::single_hexahedron()).state, options);
+  while (beam.level() < levels && beam.expand_level() > 0) {
+  }
+  return beam;
+}
+
+}  // namespace hexatlas::support
