@@ -12,32 +12,40 @@ import sys
 import tempfile
 import time
 
-CLASSES = {22: 598102, 24: 7437910}
+PARTS, SHARDS = 200, 10
 
 
-def maps(data):
-    """Lists of quads of a planar code file."""
-    at = len(b">>planar_code<<")
-    while at < len(data):
-        vertices, at = data[at], at + 1
-        around = []
-        for _ in range(vertices):
-            end = data.index(0, at)
-            around.append([v - 1 for v in data[at:end]])
-            at = end + 1
-        quads, seen = [], set()
-        for v in range(vertices):
-            for w in around[v]:
-                if (v, w) in seen:
-                    continue
-                quad, a, b = [], v, w
-                while (a, b) not in seen:
-                    seen.add((a, b))
-                    quad.append(a)
-                    ring = around[b]
-                    a, b = b, ring[(ring.index(a) + 1) % len(ring)]
+def faces_of(record):
+    """The vertices and the quads of a map in planar code."""
+    vertices, at, around = record[0], 1, []
+    for _ in range(vertices):
+        end = record.index(0, at)
+        around.append([v - 1 for v in record[at:end]])
+        at = end + 1
+    quads, seen = [], set()
+    for v in range(vertices):
+        for w in around[v]:
+            quad, a, b = [], v, w
+            while (a, b) not in seen:
+                seen.add((a, b))
+                quad.append(a)
+                ring = around[b]
+                a, b = b, ring[(ring.index(a) + 1) % len(ring)]
+            if quad:
                 quads.append(quad)
-        yield vertices, quads
+    return vertices, quads
+
+
+def some_of(program, quads, number, draw, path):
+    """So many maps at random from a random shard of all 3-connected ones."""
+    subprocess.run([program, "enum", "quadrangulations", "--quads", str(quads), "--shard",
+                    f"{draw.randrange(PARTS)}/{PARTS}", "-o", path], check=True,
+                   stdout=subprocess.DEVNULL)
+    with open(path, "rb") as file:
+        data = file.read()[len(b">>planar_code<<"):]
+    size = 1 + 4 * quads + quads + 2  # a number of vertices, neighbours, a zero per vertex
+    places = draw.sample(range(len(data) // size), min(number, len(data) // size))
+    return [faces_of(data[size * i:size * (i + 1)]) for i in places]
 
 
 def main():
@@ -46,14 +54,9 @@ def main():
     times, hexahedra, misses = [], [], 0
     with tempfile.TemporaryDirectory() as folder:
         while len(times) < number:
-            parts = max(1, CLASSES[quads] // 200)
-            shard = f"{draw.randrange(parts)}/{parts}"
-            subprocess.run([program, "enum", "quadrangulations", "--quads", str(quads), "--shard",
-                            shard, "-o", os.path.join(folder, "list")], check=True,
-                           stdout=subprocess.DEVNULL)
-            with open(os.path.join(folder, "list"), "rb") as file:
-                found = list(maps(file.read()))
-            for vertices, faces in draw.sample(found, min(20, len(found), number - len(times))):
+            wanted = min(number - len(times), max(1, number // SHARDS))
+            for vertices, faces in some_of(program, quads, wanted, draw,
+                                           os.path.join(folder, "list")):
                 with open(os.path.join(folder, "s.off"), "w", encoding="ascii") as file:
                     file.write(f"OFF\n{vertices} {len(faces)} 0\n")
                     file.writelines(f"{v} {v * v} {v ** 3}\n" for v in range(vertices))

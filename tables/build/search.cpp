@@ -122,10 +122,12 @@ TableSearch::Found TableSearch::smaller(const canon::Code& code, const complex::
 std::optional<TableSearch::Found> TableSearch::cut(const canon::Code& code) const {
   constexpr int kWorthATry = 10;  // exchange may well take off so many
   constexpr int kShellings = 10;
+  constexpr int kWideCircle = 10;  // ten times the time of a circle of 8
   const int known = hexahedra(code);
   const int growths = known == kNone ? options_.growths : options_.cut_growths;
   flips::CutOptions limits;
   limits.max_quads = options_.balls.max_quads;
+  limits.max_circle = known == kNone ? limits.max_circle : kWideCircle;
   limits.below = known + kWorthATry;
   limits.count = known == kNone ? 1 : options_.cuts_each;
   std::vector<Found> candidates;
