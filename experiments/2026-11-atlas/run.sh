@@ -8,6 +8,8 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 if [[ "${1:-}" == --search ]]; then
   "$program" table build -o hexatlas.hxt --state hexatlas.state
+  "$program" table build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas.state \
+    --rounds 1 --max-hexahedra 1 --growths 0 --cut 1 --cut-growths 0 --collared 0
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
@@ -27,6 +29,7 @@ for quads, row in json.load(sys.stdin)["by_quads"].items():
   python3 -B queries.py "$program" 24 500
 } >queries.tsv
 python3 -B kills.py "$program" "$folder" >kills.tsv
+python3 -B corruptions.py "$program" ../../tables/data/hexatlas.hxt "$folder" >corruptions.tsv
 {
   git -C ../.. describe --always --dirty --abbrev=12
   "$program" --version
