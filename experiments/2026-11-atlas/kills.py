@@ -39,8 +39,10 @@ def main():
             kills += 1
         if os.path.exists(state):
             lost.append(ended - max(began, os.path.getmtime(state)))
-    finished = subprocess.run(build(program, folder, "killed.hxt", *saved), check=False)
-    whole = subprocess.run(build(program, folder, "whole.hxt"), check=False)
+    finished = subprocess.run(build(program, folder, "killed.hxt", *saved), check=False,
+                              stdout=subprocess.DEVNULL)
+    whole = subprocess.run(build(program, folder, "whole.hxt"), check=False,
+                           stdout=subprocess.DEVNULL)
     with open(os.path.join(folder, "killed.hxt"), "rb") as a, \
             open(os.path.join(folder, "whole.hxt"), "rb") as b:
         same = a.read() == b.read()
