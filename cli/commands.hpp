@@ -129,9 +129,4 @@ struct ReproduceOptions {
 };
 [[nodiscard]] ExitCode reproduce(const ReproduceOptions& options);
 
-/// The table to read: the one asked for, or the one that comes with the program, beside the
-/// executable in tables/ or in ../share/hexatlas/tables/.
-/// Throws InvalidInput if it was not asked for and is not there.
-[[nodiscard]] std::string table_path(const std::string& asked_for);
-
 }  // namespace hexatlas::cli

@@ -8,6 +8,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
+#include "cli/table_path.hpp"
 #include "enum/core/errors.hpp"
 #include "meshing/hexahedrize/hexahedrize.hpp"
 #include "meshing/io/mesh_files.hpp"

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <system_error>
 
-#include "cli/commands.hpp"
 #include "enum/core/errors.hpp"
 
 namespace hexatlas::cli {

@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/table_by_quads.hpp"
+#include "cli/table_path.hpp"
 #include "enum/complex/quad_surface.hpp"
 #include "enum/complex/quadrangulation.hpp"
 #include "enum/core/errors.hpp"

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "enum/cells/cube.hpp"
 #include "enum/complex/facets.hpp"
@@ -246,6 +248,12 @@ HexComplex renumbered(HexComplex mesh, std::span<const VertexId> first) {
     }
   mesh.vertices = next;
   return mesh;
+}
+
+HexComplex compacted(HexComplex mesh, int kept) {
+  std::vector<VertexId> first(static_cast<std::size_t>(kept));
+  std::iota(first.begin(), first.end(), VertexId{0});
+  return renumbered(std::move(mesh), first);
 }
 
 bool has_boundary(const HexComplex& mesh, std::vector<BoundaryQuad> quads) {

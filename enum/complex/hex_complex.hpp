@@ -43,6 +43,9 @@ struct HexComplex {
 /// order of the hexahedra. Vertices of no hexahedron are left out unless they are in `first`.
 [[nodiscard]] HexComplex renumbered(HexComplex mesh, std::span<const VertexId> first);
 
+/// As renumbered(), with the vertices 0 .. kept-1 first, which so stay as they are.
+[[nodiscard]] HexComplex compacted(HexComplex mesh, int kept);
+
 /// Whether boundary_of(mesh) consists of these quads, as oriented cycles in any order.
 [[nodiscard]] bool has_boundary(const HexComplex& mesh, std::vector<BoundaryQuad> quads);
 

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <mutex>
-#include <numeric>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -133,11 +133,8 @@ class CutSearch {
       for (const Vertex v : q_.vertices_of(i)) ++degree[side][v];
     }
     // The circle runs around the left side; from there the disc is seen the other way round.
-    const Circle rim = [&] {
-      Circle turned(circle.rbegin(), circle.rend() - 1);
-      turned.insert(turned.begin(), circle.front());
-      return turned;
-    }();
+    Circle rim = circle;
+    std::reverse(rim.begin() + 1, rim.end());
     VertexSet needy = 0;  // a vertex needs three quads on either side
     std::uint64_t near = 0;
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -213,9 +210,10 @@ class CutSearch {
   void list_pairs(const std::vector<QuadVertices>& disc) {
     Relation in_disc{};
     VertexSet all = 0;
-    for (const QuadVertices& quad : disc)
+    for (const QuadVertices& quad : disc) {
       for (const Vertex v : quad) in_disc[v] |= set_of(quad);
-    for (const QuadVertices& quad : disc) all |= set_of(quad);
+      all |= set_of(quad);
+    }
     pairs_.clear();
     for (VertexSet rest = all; rest != 0; rest &= rest - 1) {
       const auto a = static_cast<Vertex>(std::countr_zero(rest));
@@ -302,9 +300,7 @@ class CutSearch {
       for (std::size_t v = 0; v < rim.size(); ++v) rim[label[v]] = side.in_cut[v];
       append_ball(mesh, source_.layers_of(side.flags.code, chosen[s].ball), rim, flag.mirrored);
     }
-    std::vector<VertexId> boundary(static_cast<std::size_t>(q_.vertices()));
-    std::iota(boundary.begin(), boundary.end(), 0U);
-    return renumbered(std::move(mesh), boundary);
+    return complex::compacted(std::move(mesh), q_.vertices());
   }
 
   const BallSource& source_;

@@ -126,9 +126,7 @@ Filling assemble(const BallSource& balls, const Beam& collars, const Meeting& me
               collar.is_mirrored != meeting.turn.is_mirrored);
   const auto path = collars.path_to(meeting.collar);
   const State start = collars.state(path.empty() ? meeting.collar : path.front().from);
-  std::vector<complex::VertexId> boundary(static_cast<std::size_t>(start.code.quads) + 2);
-  std::iota(boundary.begin(), boundary.end(), 0U);
-  return {complex::renumbered(std::move(mesh), boundary)};
+  return {complex::compacted(std::move(mesh), start.code.quads + 2)};
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "enum/flips/replacement.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "enum/cells/cube.hpp"
 #include "enum/core/checks.hpp"
@@ -127,8 +126,6 @@ std::optional<HexComplex> exchanged_somewhere(const WorkedMesh& worked, int quad
                                               const Beam& balls, bool keep_shellable,
                                               Random& random) {
   constexpr int kTries = 10;
-  std::vector<VertexId> boundary(static_cast<std::size_t>(quads) + 2);
-  std::iota(boundary.begin(), boundary.end(), 0U);
   const HexComplex& mesh = worked.mesh;
   SubBall ball = worked.ball_somewhere(random);
   std::optional<HexComplex> sideways;
@@ -137,7 +134,7 @@ std::optional<HexComplex> exchanged_somewhere(const WorkedMesh& worked, int quad
     const bool may_go_sideways = !sideways && random.below(8) == 0;
     const auto found = fit(ball, balls, may_go_sideways ? size : size - 1, random.number());
     if (!found) continue;
-    std::optional<HexComplex> made = renumbered(exchanged(mesh, ball, balls, *found), boundary);
+    std::optional<HexComplex> made = compacted(exchanged(mesh, ball, balls, *found), quads + 2);
     if (keep_shellable) made = in_shelling_order({*std::move(made)}, kTries, random);
     if (!made) continue;
     if (made->hexahedra.size() < mesh.hexahedra.size()) return made;

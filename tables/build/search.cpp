@@ -62,6 +62,7 @@ void TableSearch::step() {
   collar_step();
 }
 
+/// A phase for the largest meshes only, and for those without one.
 void TableSearch::begin(Phase phase, std::size_t largest) {
   phase_ = phase;
   position_ = 0;
@@ -83,7 +84,8 @@ void TableSearch::sweep_step() {
     (void)balls_.expand_level();
     return;
   }
-  begin(Phase::exchange, targets_.size());
+  phase_ = Phase::exchange;
+  position_ = 0;
 }
 
 std::uint64_t TableSearch::seed_for(const canon::Code& code) const {

@@ -127,7 +127,7 @@ class TableSearch {
   [[nodiscard]] int hexahedra(const canon::Code& code) const;  ///< kNone without a mesh
   [[nodiscard]] flips::FrontOrigin origin(const canon::Code& code) const;
   [[nodiscard]] std::string settings() const;
-  void restore_loose(std::string_view& bytes, const std::string& name);
+  void restore_found(std::string_view bytes, const std::string& name);
 
   std::vector<canon::Code> targets_;
   SearchOptions options_;

@@ -90,7 +90,8 @@ std::string TableSearch::to_bytes() const {
   return bytes + digest_of(bytes);
 }
 
-void TableSearch::restore_loose(std::string_view& bytes, const std::string& name) {
+/// The meshes beside the beam and the balls, from what follows the place.
+void TableSearch::restore_found(std::string_view bytes, const std::string& name) {
   for (auto left = take<std::uint64_t>(bytes, name); left > 0; --left) {
     const auto quads = take<std::uint8_t>(bytes, name);
     const auto code = canon::from_binary(quads, take(bytes, canon::binary_size(quads), name));
@@ -104,6 +105,8 @@ void TableSearch::restore_loose(std::string_view& bytes, const std::string& name
       throw core::InvalidInput(name, "a saved search that is damaged");
     if (std::binary_search(targets_.begin(), targets_.end(), *code)) loose_[*code] = std::move(own);
   }
+  balls_ = flips::Beam::from_bytes(bytes, flips::canonical_state(flips::single_hexahedron()).state,
+                                   options_.balls, name);
 }
 
 TableSearch TableSearch::from_bytes(std::string_view bytes, std::vector<canon::Code> targets,
@@ -119,9 +122,7 @@ TableSearch TableSearch::from_bytes(std::string_view bytes, std::vector<canon::C
   search.round_ = static_cast<int>(take<std::uint64_t>(rest, name));
   search.position_ = take<std::uint64_t>(rest, name);
   search.taken_from_ = static_cast<int>(take<std::uint64_t>(rest, name));
-  search.restore_loose(rest, name);
-  search.balls_ = flips::Beam::from_bytes(
-      rest, flips::canonical_state(flips::single_hexahedron()).state, options.balls, name);
+  search.restore_found(rest, name);
   if (search.is_finished() && search.round_ < options.rounds) search.phase_ = Phase::sweep;
   return search;
 }
@@ -130,9 +131,7 @@ TableSearch TableSearch::started_from(std::string_view bytes, std::vector<canon:
                                       const SearchOptions& options, const std::string& name) {
   TableSearch search(std::move(targets), options);
   std::string_view rest = intact(bytes, name).substr(kDigestSize + kPlaceSize);
-  search.restore_loose(rest, name);
-  search.balls_ = flips::Beam::from_bytes(
-      rest, flips::canonical_state(flips::single_hexahedron()).state, options.balls, name);
+  search.restore_found(rest, name);
   search.balls_.rewind();
   return search;
 }

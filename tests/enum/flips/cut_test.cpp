@@ -24,8 +24,6 @@ namespace {
 using namespace hexatlas;
 using complex::Dart;
 using complex::Quadrangulation;
-using complex::QuadVertices;
-using complex::Vertex;
 using flips::Beam;
 using support::all_balls;
 using support::Ball;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "enum/flips/meeting.hpp"
+#include "tests/enum/flips/small_beam.hpp"
 #include "tests/enum/support.hpp"
 
 namespace {
@@ -16,12 +17,7 @@ using namespace hexatlas;
 
 /// Meshes of the classes that few hexahedra reach, with at most 14 quads.
 format::Table small_table() {
-  flips::BeamOptions options;
-  options.max_quads = 20;
-  options.fronts_per_level = 2'000;
-  flips::Beam beam(flips::canonical_state(flips::single_hexahedron()).state, options);
-  while (beam.level() < 9 && beam.expand_level() > 0) {
-  }
+  const flips::Beam beam = support::grown(20, 20, 2'000, 9);
   std::vector<format::TableRow> rows;
   for (const auto& code : beam.codes())
     if (code.quads <= 14)
@@ -31,10 +27,7 @@ format::Table small_table() {
 
 TEST(Query, FillsBoundariesByWayOfTheTable) {
   const format::Table table = small_table();
-  flips::BeamOptions wide;
-  wide.max_quads = 20;
-  flips::Beam beam(flips::canonical_state(flips::single_hexahedron()).state, wide);
-  while (beam.level() < 5) (void)beam.expand_level();
+  const flips::Beam beam = support::grown(20, 20, 200'000, 5);
   std::size_t asked = 0, filled = 0;
   for (const auto& code : beam.codes()) {
     if (code.quads < 16) continue;
