@@ -220,8 +220,8 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
       ->needs("--state");
   build->add_option(
       "--start-from", options->start_from,
-      "Begin a new search with what another one found, saved with --state; it may have "
-      "been for other boundaries");
+      "Begin a new search with what others found: the file of one saved with --state, which may "
+      "have been for other boundaries, and any number of tables (.hxt)");
   build->add_option("--save-every", options->save_every, "Seconds between two saves, at least")
       ->check(CLI::Range(0, 86'400))
       ->capture_default_str();
@@ -247,6 +247,8 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
   effort("--cuts-each", search.cuts_each, std::size_t{1}, std::size_t{10'000},
          "Cuts of each of these");
   effort("--cut-growths", search.cut_growths, 0, 1'000'000, "Exchanges tried per cut");
+  effort("--cut-interior", search.cut_interior, 0, 8,
+         "Vertices inside the disc of a cut, at most; each one takes several times as long");
   effort("--collared", search.collared, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round for which collars are grown, those with the largest meshes");
   effort("--memory", options->memory_gib, 1, 4096, "GiB that the balls may take, about");

@@ -50,7 +50,7 @@ struct TableBuildOptions {
   std::string state;       ///< file to save the search in and go on from; may be empty
   int save_every = 120;    ///< seconds
   bool so_far = false;     ///< do not search: write what the saved search has found
-  std::string start_from;  ///< a saved search whose balls a new one begins with; may be empty
+  std::vector<std::string> start_from;  ///< what a new search begins with: a saved one, tables
   build::SearchOptions search;
   int memory_gib = 16;
   int threads = 0;  ///< 0: all processors

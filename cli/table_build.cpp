@@ -56,6 +56,28 @@ build::SearchOptions search_options(const TableBuildOptions& options) {
   return search;
 }
 
+/// A new search that begins with what the files have: at most one saved search, and tables.
+build::TableSearch begin_with(const std::vector<std::string>& files,
+                              std::vector<canon::Code> targets,
+                              const build::SearchOptions& options) {
+  std::optional<build::TableSearch> search;
+  std::vector<std::pair<std::string, format::Table>> tables;
+  for (const std::string& file : files) {
+    std::string bytes = core::read_file(file);
+    if (!build::TableSearch::is_saved(bytes)) {
+      tables.emplace_back(file, format::Table::from_bytes(std::move(bytes), file));
+      continue;
+    }
+    if (search) throw core::InvalidInput(file, "a second saved search; one can be begun with");
+    search = build::TableSearch::started_from(bytes, targets, options, file);
+  }
+  if (!search) search.emplace(std::move(targets), options);
+  for (const auto& [file, table] : tables)
+    say(fmt::format("{}: {} taken over", file,
+                    counted(search->take_over(table, file), "mesh", "meshes")));
+  return *std::move(search);
+}
+
 build::TableSearch begin(const TableBuildOptions& options) {
   std::vector<canon::Code> targets = boundaries(options);
   const build::SearchOptions search = search_options(options);
@@ -64,10 +86,7 @@ build::TableSearch begin(const TableBuildOptions& options) {
                                           search, options.state);
   if (options.so_far)
     throw core::InvalidInput(options.state, "is not there: there is no search so far");
-  if (!options.start_from.empty())
-    return build::TableSearch::started_from(core::read_file(options.start_from), std::move(targets),
-                                            search, options.start_from);
-  return {std::move(targets), search};
+  return begin_with(options.start_from, std::move(targets), search);
 }
 
 /// Whether the search came to its end; otherwise a stop was asked for.

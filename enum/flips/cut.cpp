@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <bitset>
 #include <cstdint>
 #include <mutex>
 #include <optional>
@@ -22,6 +23,13 @@ using complex::QuadVertices;
 using complex::Vertex;
 using complex::VertexId;
 
+constexpr std::size_t kMaxCircle = 10;
+constexpr std::size_t kMaxInterior = 8;
+constexpr std::size_t kMaxDiscVertices = 16;
+
+/// Pairs of vertices of one disc.
+using PairSet = std::bitset<kMaxDiscVertices*(kMaxDiscVertices - 1) / 2>;
+
 /// A pair of vertices of a circle of at most 10, as a bit.
 std::uint64_t pair_bit(std::size_t i, std::size_t j) {
   const std::size_t low = std::min(i, j), high = std::max(i, j);
@@ -38,7 +46,7 @@ struct Filling {
 /// nullopt if a vertex inside has fewer than 3 quads: no boundary that is 3-connected has one.
 std::optional<Filling> filling_of(const Disc& disc, std::size_t length) {
   Filling filling{disc};
-  std::array<int, 16> degree{};
+  std::array<int, kMaxDiscVertices> degree{};
   for (const QuadVertices& quad : disc)
     for (std::size_t i = 0; i < 4; ++i) {
       const std::size_t v = quad[i];
@@ -52,9 +60,6 @@ std::optional<Filling> filling_of(const Disc& disc, std::size_t length) {
   }
   return filling;
 }
-
-constexpr std::size_t kMaxCircle = 10;
-constexpr std::size_t kMaxInterior = 4;
 
 /// Made once for each pair of numbers.
 const std::vector<Filling>& fillings(std::size_t length, std::size_t interior) {
@@ -83,7 +88,7 @@ struct Side {
 
 /// A way to fill one side: a ball, turned, and the pairs of the disc that it relates.
 struct Turned {
-  std::uint64_t pairs = 0;
+  PairSet pairs;
   int hexahedra = 0;
   std::uint32_t ball = 0;
   std::uint32_t flag = 0;
@@ -145,6 +150,7 @@ class CutSearch {
     const auto most = static_cast<std::size_t>(options_.max_quads);
     for (int interior = 0; interior <= options_.max_interior; ++interior) {
       const std::size_t size = rim.size() / 2 - 1 + static_cast<std::size_t>(interior);
+      if (rim.size() + static_cast<std::size_t>(interior) > kMaxDiscVertices) break;
       if ((count[0] + size) % 2 != 0 || std::max(count[0], count[1]) + size > most) continue;
       for (const Filling& filling : fillings(rim.size(), static_cast<std::size_t>(interior)))
         if ((filling.narrow & needy) == 0 && (filling.chords & near) == 0)
@@ -220,8 +226,6 @@ class CutSearch {
       for (VertexSet later = rest & ~in_disc[a]; later != 0; later &= later - 1)
         pairs_.emplace_back(a, static_cast<Vertex>(std::countr_zero(later)));
     }
-    core::expects(pairs_.size() <= 64,
-                  "few enough pairs of vertices lie in no quad of a small disc");
   }
 
   /// In order of hexahedra; of those with the same pairs the first only.
@@ -240,15 +244,15 @@ class CutSearch {
       const KnownBall& known = balls[ball];
       if (known.hexahedra >= below) break;
       for (std::uint32_t flag = 0; flag < labels.size(); ++flag) {
-        Turned one{0, known.hexahedra, ball, flag};
+        Turned one{{}, known.hexahedra, ball, flag};
         for (std::size_t p = 0; p < pairs_.size(); ++p) {
           const auto [a, b] = pairs_[p];
           if ((side.of_quads[a] & bit(b)) != 0 ||
               known.scars.has(labels[flag][number[a]], labels[flag][number[b]]))
-            one.pairs |= std::uint64_t{1} << p;
+            one.pairs.set(p);
         }
         const bool is_new = std::none_of(result.begin(), result.end(), [&](const Turned& other) {
-          return (other.pairs & ~one.pairs) == 0;
+          return (other.pairs & ~one.pairs).none();
         });
         if (is_new) result.push_back(one);
       }
@@ -272,7 +276,7 @@ class CutSearch {
     for (const Turned& one : first)
       for (const Turned& other : second) {
         if (one.hexahedra + other.hexahedra >= below) break;
-        if ((one.pairs & other.pairs) != 0) continue;
+        if ((one.pairs & other.pairs).any()) continue;
         below = one.hexahedra + other.hexahedra;
         found = {one, other};
       }

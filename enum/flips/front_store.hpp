@@ -39,9 +39,10 @@ enum class FrontOrigin : std::uint8_t {
   grown,      ///< by a sweep of the beam
   exchanged,  ///< part of a mesh made smaller (replacement.hpp)
   met,        ///< part of a mesh from a collar and a ball (meeting.hpp)
-  joined      ///< part of a mesh from two balls along a disc (cut.hpp)
+  joined,     ///< part of a mesh from two balls along a disc (cut.hpp)
+  known       ///< part of a mesh that was known before the search
 };
-inline constexpr std::uint8_t kFrontOrigins = 4;
+inline constexpr std::uint8_t kFrontOrigins = 5;
 
 struct StoredFront {
   Scars scars;

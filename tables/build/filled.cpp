@@ -4,23 +4,27 @@
 #include <utility>
 #include <vector>
 
-#include "enum/core/checks.hpp"
 #include "enum/core/errors.hpp"
 
 namespace hexatlas::build {
 
-void ensure_fills(const complex::HexComplex& mesh, const canon::Code& code) {
-  if (const auto law = complex::validate(mesh))
-    throw core::InternalError("a mesh found for " + canon::to_text(code) +
-                              " breaks a law: " + law->reason);
+std::optional<std::string> reason_against(const complex::HexComplex& mesh,
+                                          const canon::Code& code) {
+  if (const auto law = complex::validate(mesh)) return law->reason;
   std::vector<complex::BoundaryQuad> wanted;
   const auto boundary = canon::decode(code).value();
   for (int q = 0; q < boundary.quads(); ++q) {
     const auto v = boundary.vertices_of(q);
     wanted.push_back({v[0], v[1], v[2], v[3]});
   }
-  core::ensures(complex::has_boundary(mesh, std::move(wanted)),
-                "a mesh found has the boundary it was found for");
+  if (!complex::has_boundary(mesh, std::move(wanted))) return "its boundary is another one";
+  return std::nullopt;
+}
+
+void ensure_fills(const complex::HexComplex& mesh, const canon::Code& code) {
+  if (const auto reason = reason_against(mesh, code))
+    throw core::InternalError("a mesh found for " + canon::to_text(code) +
+                              " breaks a law: " + *reason);
 }
 
 }  // namespace hexatlas::build

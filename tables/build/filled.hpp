@@ -1,14 +1,23 @@
 #pragma once
 /// \file
-/// The last look at a mesh before it leaves a search.
+/// Whether a mesh fills its boundary: the look before it enters a search, and the last one before
+/// it leaves.
+
+#include <optional>
+#include <string>
 
 #include "enum/canon/code.hpp"
 #include "enum/complex/hex_complex.hpp"
 
 namespace hexatlas::build {
 
-/// Throws InternalError unless the mesh obeys the laws (complex::validate) and its boundary is the
-/// canonical list of quads of the code, with the same labels and orientation.
+/// Why a mesh is none of this boundary: the first law that it breaks (complex::validate), or that
+/// its boundary is not the canonical list of quads of the code, with the same labels and
+/// orientation. nullopt if it is one.
+[[nodiscard]] std::optional<std::string> reason_against(const complex::HexComplex& mesh,
+                                                        const canon::Code& code);
+
+/// Throws InternalError if there is such a reason.
 void ensure_fills(const complex::HexComplex& mesh, const canon::Code& code);
 
 }  // namespace hexatlas::build

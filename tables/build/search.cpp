@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "enum/core/checks.hpp"
+#include "enum/core/errors.hpp"
 #include "enum/flips/cut.hpp"
 #include "enum/flips/meeting.hpp"
 #include "enum/parallel/parallel_for.hpp"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr std::size_t kExchangesPerStep = 1024;
 constexpr std::size_t kCutsPerStep = 32;
+constexpr int kShellings = 10;  ///< tries to find a shelling
 constexpr int kNone = 1 << 14;  ///< more than any mesh has
 
 /// A shared seed and number of threads.
@@ -42,7 +44,7 @@ std::vector<canon::Code> three_connected_codes(int max_quads) {
 
 std::string_view name_of(flips::FrontOrigin origin) noexcept {
   constexpr std::array<std::string_view, flips::kFrontOrigins> kNames{"sweep", "exchange", "collar",
-                                                                      "cut"};
+                                                                      "cut", "table"};
   return kNames[static_cast<std::size_t>(origin)];
 }
 
@@ -96,16 +98,18 @@ std::uint64_t TableSearch::seed_for(const canon::Code& code) const {
 
 void TableSearch::exchange_step() {
   const std::size_t end = std::min(position_ + kExchangesPerStep, targets_.size());
-  std::vector<std::optional<complex::HexComplex>> found(end - position_);
+  std::vector<std::optional<Found>> found(end - position_);
   parallel::parallel_for(options_.balls.threads, found.size(), [&](std::size_t i) {
     const canon::Code& code = targets_[position_ + i];
-    const auto id = balls_.smallest(code);
-    if (!id || options_.growths == 0) return;
-    found[i] = flips::smaller_by_replacement(flips::filling_of(balls_, *id).mesh, code.quads,
-                                             balls_, {options_.growths, seed_for(code)});
+    const int known = hexahedra(code);
+    if (known == kNone || options_.growths == 0) return;
+    const bool is_shelled = loose(code) == nullptr;
+    if (auto mesh = flips::smaller_by_replacement(unchecked_mesh(code), code.quads, balls_,
+                                                  {options_.growths, seed_for(code), is_shelled}))
+      found[i] = Found{*std::move(mesh), flips::FrontOrigin::exchanged, is_shelled};
   });
-  for (const auto& mesh : found)
-    if (mesh) (void)flips::add_ball(balls_, *mesh, flips::FrontOrigin::exchanged);
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (found[i]) adopt(targets_[position_ + i], *found[i]);
   position_ = end;
   if (position_ == targets_.size()) begin(Phase::cuts, options_.cut);
 }
@@ -122,14 +126,14 @@ TableSearch::Found TableSearch::smaller(const canon::Code& code, const complex::
 /// The least of what comes from the mesh known and from cuts, if it is any progress. A boundary
 /// without a mesh gets one first, and more of the effort in later rounds.
 std::optional<TableSearch::Found> TableSearch::cut(const canon::Code& code) const {
-  constexpr int kWorthATry = 10;  // exchange may well take off so many
-  constexpr int kShellings = 10;
+  constexpr int kWorthATry = 10;   // exchange may well take off so many
   constexpr int kWideCircle = 10;  // ten times the time of a circle of 8
   const int known = hexahedra(code);
   const int growths = known == kNone ? options_.growths : options_.cut_growths;
   flips::CutOptions limits;
   limits.max_quads = options_.balls.max_quads;
   limits.max_circle = known == kNone ? limits.max_circle : kWideCircle;
+  limits.max_interior = options_.cut_interior;
   limits.below = known + kWorthATry;
   limits.count = known == kNone ? 1 : options_.cuts_each;
   std::vector<Found> candidates;
@@ -169,6 +173,30 @@ void TableSearch::adopt(const canon::Code& code, const Found& found) {
   if (count >= hexahedra(code)) return;
   loose_[code] = {count, found.origin,
                   format::encode_record(found.mesh, canon::decode(code).value())};
+}
+
+std::size_t TableSearch::take_over(const format::Table& table, const std::string& name) {
+  std::vector<std::optional<Found>> found(targets_.size());
+  parallel::parallel_for(options_.balls.threads, targets_.size(), [&](std::size_t i) {
+    const canon::Code& code = targets_[i];
+    const auto ordinal = table.find(code);
+    if (!ordinal || static_cast<int>(table.entry(*ordinal).hexahedra) >= hexahedra(code)) return;
+    complex::HexComplex mesh = table.mesh(*ordinal);
+    if (const auto reason = reason_against(mesh, code))
+      throw core::InvalidInput(name, "the mesh of " + canon::to_text(code) + ": " + *reason);
+    auto shelled = flips::in_shelling_order(mesh, kShellings, seed_for(code));
+    const bool is_shelled = shelled.has_value();
+    found[i] = Found{is_shelled ? *std::move(shelled) : std::move(mesh), flips::FrontOrigin::known,
+                     is_shelled};
+  });
+  std::size_t taken = 0;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (found[i]) {
+      adopt(targets_[i], *found[i]);
+      ++taken;
+    }
+  balls_.rewind();
+  return taken;
 }
 
 void TableSearch::collar_step() {

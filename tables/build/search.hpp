@@ -42,6 +42,7 @@ struct SearchOptions {
   std::size_t cut = 1000;      ///< boundaries per round
   std::size_t cuts_each = 10;  ///< cuts of one boundary, each of which gets its exchange
   int cut_growths = 300;       ///< of exchange, per cut
+  int cut_interior = 4;        ///< vertices inside the disc of a cut, at most 8
   /// Some boundaries have no flip that adds less than four quads.
   flips::BeamOptions collars{
       .max_quads = flips::kMaxSearchQuads, .fronts_per_class = 20, .fronts_per_level = 3'000};
@@ -91,12 +92,18 @@ class TableSearch {
                                               std::vector<canon::Code> targets,
                                               const SearchOptions& options,
                                               const std::string& name);
+  /// Whether these are the bytes of a saved search, intact or not.
+  [[nodiscard]] static bool is_saved(std::string_view bytes) noexcept;
   /// A new search that begins with the balls and meshes of a saved one, which may have been for
   /// other targets. Throws InvalidInput as above; the options of the balls must be the same.
   [[nodiscard]] static TableSearch started_from(std::string_view bytes,
                                                 std::vector<canon::Code> targets,
                                                 const SearchOptions& options,
                                                 const std::string& name);
+  /// Takes over the meshes of a table, those for targets that have none or a larger one. Throws
+  /// InvalidInput, with `name` for the table, if one of them does not fill its boundary. Returns
+  /// how many were taken. Cost: milliseconds for each.
+  std::size_t take_over(const format::Table& table, const std::string& name);
 
  private:
   /// A mesh beside the beam: one that has no shelling with boundaries as short as the beam's.

@@ -62,6 +62,7 @@ std::string TableSearch::settings() const {
        {static_cast<std::uint64_t>(options_.max_hexahedra),
         static_cast<std::uint64_t>(options_.growths), std::uint64_t{options_.cut},
         std::uint64_t{options_.cuts_each}, static_cast<std::uint64_t>(options_.cut_growths),
+        static_cast<std::uint64_t>(options_.cut_interior),
         static_cast<std::uint64_t>(options_.collars.max_quads),
         std::uint64_t{options_.collars.fronts_per_class},
         std::uint64_t{options_.collars.fronts_per_level},
@@ -126,6 +127,8 @@ TableSearch TableSearch::from_bytes(std::string_view bytes, std::vector<canon::C
   if (search.is_finished() && search.round_ < options.rounds) search.phase_ = Phase::sweep;
   return search;
 }
+
+bool TableSearch::is_saved(std::string_view bytes) noexcept { return bytes.starts_with(kMagic); }
 
 TableSearch TableSearch::started_from(std::string_view bytes, std::vector<canon::Code> targets,
                                       const SearchOptions& options, const std::string& name) {

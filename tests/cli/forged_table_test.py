@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Claim. `mesh hex` writes nothing but meshes that the judge accepts, even if the table lies.
+"""Claim. `mesh hex` writes nothing but meshes that the judge accepts, even if the table lies;
+`table build` begins with no such table.
 Oracle. A table written here, byte by byte from docs/formats/table.md, with a digest that is
 right and a mesh that is wrong: the cube and, apart from it, one hexahedron twice.
 usage: forged_table_test.py PROGRAM
@@ -13,6 +14,7 @@ import program
 
 CUBE = os.path.join(program.INPUTS, "cube.obj")
 KEY = bytes.fromhex("08a5df")
+SPINDLE = bytes.fromhex("088a577f")
 
 
 def stored(raw):
@@ -21,15 +23,15 @@ def stored(raw):
     return header + struct.pack("<I", 1 | len(raw) << 3)[:3] + raw
 
 
-def table(cells, interior):
+def table(cells, interior, key=KEY):
     payload = b"\x01" + b"".join(struct.pack("<8H", *cell) for cell in cells)
     raw = struct.pack("<I", len(payload)) + payload
     block = stored(raw)
     index = 128 + 32
-    directory = index + len(KEY) + 8
+    directory = index + len(key) + 8
     names = directory + 16 + len(block)
-    body = struct.pack("<IIQQQ", 6, len(KEY), 0, 1, index)
-    body += KEY + struct.pack("<HHHH", len(cells), interior, 1, 0)
+    body = struct.pack("<IIQQQ", 2 * len(key), len(key), 0, 1, index)
+    body += key + struct.pack("<HHHH", len(cells), interior, 1, 0)
     body += struct.pack("<QII", directory + 16, len(block), len(raw)) + block
     head = b"hexatlas" + struct.pack("<IIQQIIIIQQQ", 2, 0x0A0B0C0D, names, 1, 1, 1, 0, 64, index,
                                      directory, names)
@@ -57,6 +59,15 @@ class ForgedTableTest(program.ProgramTest):
         ran = self.expect(3, self.mesh_with([self.sound_cell(), apart, apart], 8))
         self.assertIn("forged.hxt: holds a mesh", ran.err)
         self.assertFalse(os.path.exists(self.path("out.vtk")))
+
+    def test_a_search_does_not_begin_with_it(self):
+        # Two hexahedra on the ten vertices of the spindle's boundary, which is not theirs.
+        two = [list(range(8)), [4, 5, 6, 7, 8, 9, 0, 1]]
+        self.write("forged.hxt", table(two, 0, SPINDLE))
+        ran = self.hexatlas("table", "build", "-o", "a.hxt", "--max-quads", "8", "--start-from",
+                            "forged.hxt")
+        self.expect_fault(ran, "forged.hxt")
+        self.assertFalse(os.path.exists(self.path("a.hxt")))
 
 
 if __name__ == "__main__":

@@ -29,6 +29,26 @@ class Build(program.ProgramTest):
                 del manifest[key]
         self.assertEqual(*manifests)
 
+    def test_start_from_tables_and_a_search(self):
+        self.build("a.hxt", "--state", "a.state")
+        no_search = ("--max-quads", "6", "--also", "two-cubes", "--width", "100", "--rounds", "1",
+                     "--max-hexahedra", "1", "--growths", "0", "--cut", "0", "--collared", "0")
+        for files, said in ((["a.hxt"], "a.hxt: 1 mesh taken over\n"),
+                            (["a.state", "a.hxt"], "a.hxt: 0 meshes taken over\n"),
+                            (["a.state"], "")):
+            ran = self.expect(0, self.hexatlas("table", "build", "-o", "b.hxt", *no_search,
+                                               "--start-from", *files))
+            self.assertEqual(ran.err.replace("hexatlas: ", ""), said)
+            table, first = (json.loads(self.expect(0, self.hexatlas(
+                "table", "info", name, "--by", "quads", "--json")).out) for name in ("b.hxt", "a.hxt"))
+            self.assertEqual([row["total"] for row in table["by_quads"].values()],
+                             [row["total"] for row in first["by_quads"].values()])
+        ran = self.hexatlas("table", "build", "-o", "c.hxt", "--start-from", "a.state", "a.state")
+        self.expect_fault(ran, "a.state")
+        self.write("d.hxt", b"neither a table nor a search")
+        self.expect_fault(self.hexatlas("table", "build", "-o", "c.hxt", "--start-from", "d.hxt"),
+                          "d.hxt")
+
     def test_manifest(self):
         ran = self.build("small.hxt", "--seed", "5")
         self.assertEqual(self.listing(), ["small.census.sqlite", "small.hxt", "small.manifest.json"])

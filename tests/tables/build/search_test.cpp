@@ -124,6 +124,63 @@ TEST(TableSearch, MayGoOnForFurtherRounds) {
   EXPECT_EQ(longer.to_bytes(), whole.to_bytes());
 }
 
+std::map<canon::Code, int> hexahedra_of(const TableSearch& search) {
+  std::map<canon::Code, int> result;
+  for (const auto& row : search.rows()) result[row.code] = row.hexahedra;
+  return result;
+}
+
+TEST(TableSearch, BeginsWithWhatOthersFound) {
+  const auto codes = build::three_connected_codes(12);
+  TableSearch first(codes, small(1));
+  while (!first.is_finished()) first.step();
+  const auto found = hexahedra_of(first);
+  ASSERT_GE(found.size(), 4U);
+  EXPECT_TRUE(TableSearch::is_saved(first.to_bytes()));
+  EXPECT_FALSE(TableSearch::is_saved(table_of(first)));
+
+  const auto more = build::three_connected_codes(14);
+  const auto saved = TableSearch::started_from(first.to_bytes(), more, small(1), "saved");
+  for (const auto& [code, hexahedra] : found) EXPECT_LE(hexahedra_of(saved)[code], hexahedra);
+
+  const auto table = format::Table::from_bytes(table_of(first), "table");
+  build::SearchOptions quick = small(2);
+  quick.rounds = 1;
+  quick.max_hexahedra = 20;
+  TableSearch taken(more, quick);
+  EXPECT_EQ(taken.take_over(table, "table"), found.size() - 1);  // it begins with the cube
+  EXPECT_EQ(hexahedra_of(taken), found);
+  for (const auto& row : taken.rows()) {
+    EXPECT_EQ(build::name_of(row.origin), row.code.quads == 6 ? "sweep" : "table");
+    EXPECT_EQ(support::fault_of_mesh(taken.mesh(row.code), row.code), "");
+  }
+  EXPECT_EQ(taken.take_over(table, "table"), 0U);
+  while (!taken.is_finished()) taken.step();
+  for (const auto& [code, hexahedra] : found) EXPECT_LE(hexahedra_of(taken)[code], hexahedra);
+}
+
+TEST(TableSearch, ExchangesMeshesBesideTheBeamToo) {
+  const auto codes = build::three_connected_codes(14);
+  build::SearchOptions options = small(1);
+  options.balls.max_quads = 14;
+  options.rounds = 3;
+  options.growths = 100;
+  options.cut = 60;
+  options.cut_interior = 6;
+  TableSearch search(codes, options);
+  std::map<canon::Code, int> before;
+  while (!search.is_finished()) {
+    search.step();
+    for (const auto& [code, hexahedra] : hexahedra_of(search)) {
+      const auto [known, is_new] = before.try_emplace(code, hexahedra);
+      EXPECT_LE(hexahedra, known->second);
+      known->second = hexahedra;
+    }
+  }
+  for (const auto& row : search.rows())
+    EXPECT_EQ(support::fault_of_mesh(search.mesh(row.code), row.code), "");
+}
+
 TEST(TableSearch, RefusesWhatIsNotItsOwn) {
   const auto codes = build::three_connected_codes(10);
   TableSearch search(codes, small(1));
@@ -144,6 +201,9 @@ TEST(TableSearch, RefusesWhatIsNotItsOwn) {
   EXPECT_THROW((void)TableSearch::from_bytes(bytes, fewer, small(1), "saved"), core::InvalidInput);
   build::SearchOptions other = small(1);
   other.growths = 5;
+  EXPECT_THROW((void)TableSearch::from_bytes(bytes, codes, other, "saved"), core::InvalidInput);
+  other = small(1);
+  other.cut_interior = 5;
   EXPECT_THROW((void)TableSearch::from_bytes(bytes, codes, other, "saved"), core::InvalidInput);
 }
 
