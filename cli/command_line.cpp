@@ -249,6 +249,8 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
   effort("--cut-growths", search.cut_growths, 0, 1'000'000, "Exchanges tried per cut");
   effort("--cut-interior", search.cut_interior, 0, 8,
          "Vertices inside the disc of a cut, at most; each one takes several times as long");
+  effort("--cut-uphill", search.cut_uphill, 0U, 20U,
+         "Hexahedra that exchange may add for a while to the meshes from cuts");
   effort("--collared", search.collared, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round for which collars are grown, those with the largest meshes");
   effort("--memory", options->memory_gib, 1, 4096, "GiB that the balls may take, about");

@@ -56,6 +56,20 @@ build::SearchOptions search_options(const TableBuildOptions& options) {
   return search;
 }
 
+/// How the meshes of a table were found, from the census beside it, if there is one.
+build::TableSearch::Origins origins_of(const format::Table& table, const std::string& file) {
+  build::TableSearch::Origins origins;
+  const std::string path = build::census_path(file);
+  if (!is_there(path)) return origins;
+  const build::Census census = build::read_census(path);
+  if (census.about.table_sha256 != table.sha256())
+    throw core::InvalidInput(path, "is the census of another table than " + file);
+  for (const build::CensusRow& row : census.rows)
+    if (const auto code = canon::from_text(row.code))
+      origins[*code] = build::origin_named(row.source);
+  return origins;
+}
+
 /// A new search that begins with what the files have: at most one saved search, and tables.
 build::TableSearch begin_with(const std::vector<std::string>& files,
                               std::vector<canon::Code> targets,
@@ -73,8 +87,9 @@ build::TableSearch begin_with(const std::vector<std::string>& files,
   }
   if (!search) search.emplace(std::move(targets), options);
   for (const auto& [file, table] : tables)
-    say(fmt::format("{}: {} taken over", file,
-                    counted(search->take_over(table, file), "mesh", "meshes")));
+    say(fmt::format(
+        "{}: {} taken over", file,
+        counted(search->take_over(table, file, origins_of(table, file)), "mesh", "meshes")));
   return *std::move(search);
 }
 

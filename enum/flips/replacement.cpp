@@ -20,9 +20,10 @@ struct Fit {
   bool is_mirrored = false;
 };
 
-/// The least ball of the beam that may replace the sub-ball, with at most `most` hexahedra;
-/// of equal ones the one at place `turn` modulo their number.
+/// A ball of the beam that may replace the sub-ball: the least one, if it has fewer hexahedra, or
+/// any one with at most `most`. Of several the one at place `turn` modulo their number.
 std::optional<Fit> fit(const SubBall& ball, const Beam& balls, int most, std::uint64_t turn) {
+  const int size = static_cast<int>(ball.cells().size());
   const complex::Quadrangulation& boundary = ball.front().boundary;
   canon::CanonicalFlags flags;
   canon::canonical_flags(boundary, flags);
@@ -41,8 +42,10 @@ std::optional<Fit> fit(const SubBall& ball, const Beam& balls, int most, std::ui
     for (std::uint32_t place = 0; place < known.size(); ++place) {
       const int hexahedra = known[place].level + 1;
       if (hexahedra > most || !known[place].scars.is_disjoint_from(scars)) continue;
-      if (hexahedra < most) fits.clear();
-      most = hexahedra;
+      if (hexahedra < std::min(size, most)) {
+        fits.clear();
+        most = hexahedra;
+      }
       fits.push_back({{*number, place}, label, flag.mirrored});
     }
   }
@@ -121,9 +124,9 @@ std::optional<HexComplex> in_shelling_order(const WorkedMesh& worked, int tries,
 }
 
 /// Grows one ball and makes the first exchange that helps; otherwise, where it can, one that
-/// changes nothing in number.
+/// adds at most so many hexahedra.
 std::optional<HexComplex> exchanged_somewhere(const WorkedMesh& worked, int quads,
-                                              const Beam& balls, bool keep_shellable,
+                                              const Beam& balls, bool keep_shellable, int more,
                                               Random& random) {
   constexpr int kTries = 10;
   const HexComplex& mesh = worked.mesh;
@@ -132,7 +135,7 @@ std::optional<HexComplex> exchanged_somewhere(const WorkedMesh& worked, int quad
   while (grow_somewhere(ball, random)) {
     const int size = static_cast<int>(ball.cells().size());
     const bool may_go_sideways = !sideways && random.below(8) == 0;
-    const auto found = fit(ball, balls, may_go_sideways ? size : size - 1, random.number());
+    const auto found = fit(ball, balls, may_go_sideways ? size + more : size - 1, random.number());
     if (!found) continue;
     std::optional<HexComplex> made = compacted(exchanged(mesh, ball, balls, *found), quads + 2);
     if (keep_shellable) made = in_shelling_order({*std::move(made)}, kTries, random);
@@ -141,6 +144,12 @@ std::optional<HexComplex> exchanged_somewhere(const WorkedMesh& worked, int quad
     sideways = std::move(made);
   }
   return sideways;
+}
+
+/// How many hexahedra an exchange may add where `room` is left: mostly none.
+int climb(int room, Random& random) {
+  const std::size_t draw = random.below(8);
+  return std::min(room, draw == 0 ? 2 : draw == 1 ? 1 : 0);
 }
 
 /// The facets of a hexahedron that are quads of the boundary.
@@ -167,12 +176,22 @@ std::optional<HexComplex> smaller_by_replacement(const HexComplex& mesh, int qua
   Random random(options.seed);
   WorkedMesh current{mesh};
   std::optional<HexComplex> best;
+  std::size_t least = mesh.hexahedra.size();
+  int last = 0;  // growth that gave the best one, or that began with it again
   for (int growth = 0; growth < options.growths; ++growth) {
-    auto next = exchanged_somewhere(current, quads, balls, options.keep_shellable, random);
+    const int room = static_cast<int>(least + options.uphill - current.mesh.hexahedra.size());
+    const int more = options.uphill > 0 ? climb(room, random) : 0;
+    auto next = exchanged_somewhere(current, quads, balls, options.keep_shellable, more, random);
     if (!next) continue;
     current = WorkedMesh{*std::move(next)};
-    const std::size_t least = best ? best->hexahedra.size() : mesh.hexahedra.size();
-    if (current.mesh.hexahedra.size() < least) best = current.mesh;
+    if (current.mesh.hexahedra.size() < least) {
+      least = current.mesh.hexahedra.size();
+      best = current.mesh;
+      last = growth;
+    } else if (options.uphill > 0 && growth - last > options.growths / 4) {
+      current = WorkedMesh{best ? *best : mesh};
+      last = growth;
+    }
   }
   return best;
 }

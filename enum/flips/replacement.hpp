@@ -86,6 +86,10 @@ struct ReplacementOptions {
   /// Only exchanges after which the mesh has a shelling as add_ball() requires; and the hexahedra
   /// of the result can be taken off in the order given.
   bool keep_shellable = true;
+  /// How many hexahedra more than the least mesh so far the meshes on the way may have: to leave
+  /// what no exchange makes smaller at once. Deterministic threshold accepting, with returns to the
+  /// least mesh: Dueck, Scheuer (J. Comput. Phys. 90, 1990).
+  unsigned uphill = 0;
 };
 
 /// A mesh with the same boundary and fewer hexahedra, or nullopt if none was found. The vertices of

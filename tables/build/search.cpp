@@ -22,6 +22,9 @@ constexpr std::size_t kCutsPerStep = 32;
 constexpr int kShellings = 10;  ///< tries to find a shelling
 constexpr int kNone = 1 << 14;  ///< more than any mesh has
 
+constexpr std::array<std::string_view, flips::kFrontOrigins> kOriginNames{"sweep", "exchange",
+                                                                          "collar", "cut", "table"};
+
 /// A shared seed and number of threads.
 SearchOptions adjusted(SearchOptions options) {
   options.collars.seed = options.balls.seed;
@@ -43,9 +46,13 @@ std::vector<canon::Code> three_connected_codes(int max_quads) {
 }
 
 std::string_view name_of(flips::FrontOrigin origin) noexcept {
-  constexpr std::array<std::string_view, flips::kFrontOrigins> kNames{"sweep", "exchange", "collar",
-                                                                      "cut", "table"};
-  return kNames[static_cast<std::size_t>(origin)];
+  return kOriginNames[static_cast<std::size_t>(origin)];
+}
+
+flips::FrontOrigin origin_named(std::string_view name) noexcept {
+  const auto at = std::find(kOriginNames.begin(), kOriginNames.end(), name);
+  return at == kOriginNames.end() ? flips::FrontOrigin::known
+                                  : static_cast<flips::FrontOrigin>(at - kOriginNames.begin());
 }
 
 TableSearch::TableSearch(std::vector<canon::Code> targets, const SearchOptions& options)
@@ -104,8 +111,9 @@ void TableSearch::exchange_step() {
     const int known = hexahedra(code);
     if (known == kNone || options_.growths == 0) return;
     const bool is_shelled = loose(code) == nullptr;
-    if (auto mesh = flips::smaller_by_replacement(unchecked_mesh(code), code.quads, balls_,
-                                                  {options_.growths, seed_for(code), is_shelled}))
+    if (auto mesh =
+            flips::smaller_by_replacement(unchecked_mesh(code), code.quads, balls_,
+                                          {options_.growths, seed_for(code), is_shelled, 0}))
       found[i] = Found{*std::move(mesh), flips::FrontOrigin::exchanged, is_shelled};
   });
   for (std::size_t i = 0; i < found.size(); ++i)
@@ -117,8 +125,8 @@ void TableSearch::exchange_step() {
 TableSearch::Found TableSearch::smaller(const canon::Code& code, const complex::HexComplex& mesh,
                                         flips::FrontOrigin origin, int growths) const {
   Found found{mesh, origin};
-  if (auto made =
-          flips::smaller_by_replacement(mesh, code.quads, balls_, {growths, seed_for(code), false}))
+  if (auto made = flips::smaller_by_replacement(
+          mesh, code.quads, balls_, {growths, seed_for(code), false, options_.cut_uphill}))
     found = {*std::move(made), flips::FrontOrigin::exchanged};
   return found;
 }
@@ -175,7 +183,8 @@ void TableSearch::adopt(const canon::Code& code, const Found& found) {
                   format::encode_record(found.mesh, canon::decode(code).value())};
 }
 
-std::size_t TableSearch::take_over(const format::Table& table, const std::string& name) {
+std::size_t TableSearch::take_over(const format::Table& table, const std::string& name,
+                                   const Origins& origins) {
   std::vector<std::optional<Found>> found(targets_.size());
   parallel::parallel_for(options_.balls.threads, targets_.size(), [&](std::size_t i) {
     const canon::Code& code = targets_[i];
@@ -186,8 +195,10 @@ std::size_t TableSearch::take_over(const format::Table& table, const std::string
       throw core::InvalidInput(name, "the mesh of " + canon::to_text(code) + ": " + *reason);
     auto shelled = flips::in_shelling_order(mesh, kShellings, seed_for(code));
     const bool is_shelled = shelled.has_value();
-    found[i] = Found{is_shelled ? *std::move(shelled) : std::move(mesh), flips::FrontOrigin::known,
-                     is_shelled};
+    const auto origin = origins.find(code);
+    found[i] =
+        Found{is_shelled ? *std::move(shelled) : std::move(mesh),
+              origin == origins.end() ? flips::FrontOrigin::known : origin->second, is_shelled};
   });
   std::size_t taken = 0;
   for (std::size_t i = 0; i < found.size(); ++i)

@@ -43,6 +43,7 @@ struct SearchOptions {
   std::size_t cuts_each = 10;  ///< cuts of one boundary, each of which gets its exchange
   int cut_growths = 300;       ///< of exchange, per cut
   int cut_interior = 4;        ///< vertices inside the disc of a cut, at most 8
+  unsigned cut_uphill = 4;     ///< of exchange, per cut (replacement.hpp)
   /// Some boundaries have no flip that adds less than four quads.
   flips::BeamOptions collars{
       .max_quads = flips::kMaxSearchQuads, .fronts_per_class = 20, .fronts_per_level = 3'000};
@@ -50,8 +51,10 @@ struct SearchOptions {
   std::size_t collared = 100;  ///< boundaries per round
 };
 
-/// How the mesh of a boundary was found.
+/// How the mesh of a boundary was found, as a word of the census; and the other way round, for
+/// words that are none FrontOrigin::known.
 [[nodiscard]] std::string_view name_of(flips::FrontOrigin origin) noexcept;
+[[nodiscard]] flips::FrontOrigin origin_named(std::string_view name) noexcept;
 
 class TableSearch {
  public:
@@ -100,10 +103,12 @@ class TableSearch {
                                                 std::vector<canon::Code> targets,
                                                 const SearchOptions& options,
                                                 const std::string& name);
-  /// Takes over the meshes of a table, those for targets that have none or a larger one. Throws
-  /// InvalidInput, with `name` for the table, if one of them does not fill its boundary. Returns
-  /// how many were taken. Cost: milliseconds for each.
-  std::size_t take_over(const format::Table& table, const std::string& name);
+  using Origins = std::map<canon::Code, flips::FrontOrigin>;
+  /// Takes over the meshes of a table, those for targets that have none or a larger one; `origins`:
+  /// how they were found, as far as known. Throws InvalidInput, with `name` for the table, if one
+  /// of them does not fill its boundary. Returns how many were taken. Cost: milliseconds for each.
+  std::size_t take_over(const format::Table& table, const std::string& name,
+                        const Origins& origins = {});
 
  private:
   /// A mesh beside the beam: one that has no shelling with boundaries as short as the beam's.

@@ -62,7 +62,7 @@ std::string TableSearch::settings() const {
        {static_cast<std::uint64_t>(options_.max_hexahedra),
         static_cast<std::uint64_t>(options_.growths), std::uint64_t{options_.cut},
         std::uint64_t{options_.cuts_each}, static_cast<std::uint64_t>(options_.cut_growths),
-        static_cast<std::uint64_t>(options_.cut_interior),
+        static_cast<std::uint64_t>(options_.cut_interior), std::uint64_t{options_.cut_uphill},
         static_cast<std::uint64_t>(options_.collars.max_quads),
         std::uint64_t{options_.collars.fronts_per_class},
         std::uint64_t{options_.collars.fronts_per_level},

@@ -144,6 +144,13 @@ TEST(Replacement, MakesMeshesSmallerAndKeepsTheirBoundary) {
     EXPECT_EQ(support::fault_of_filling(*smaller, code), "") << canon::to_text(code);
     const auto again = flips::smaller_by_replacement(mesh, code.quads, beam, options);
     EXPECT_EQ(again->hexahedra, smaller->hexahedra);
+    flips::ReplacementOptions climbing = options;
+    climbing.uphill = 4;
+    climbing.keep_shellable = false;
+    const auto other = flips::smaller_by_replacement(mesh, code.quads, beam, climbing);
+    ASSERT_TRUE(other) << canon::to_text(code);
+    EXPECT_LT(other->hexahedra.size(), mesh.hexahedra.size());
+    EXPECT_EQ(support::fault_of_filling(*other, code), "") << canon::to_text(code);
     ++reduced;
   }
   EXPECT_GT(reduced, 3U);

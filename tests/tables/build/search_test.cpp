@@ -148,10 +148,16 @@ TEST(TableSearch, BeginsWithWhatOthersFound) {
   quick.rounds = 1;
   quick.max_hexahedra = 20;
   TableSearch taken(more, quick);
-  EXPECT_EQ(taken.take_over(table, "table"), found.size() - 1);  // it begins with the cube
+  TableSearch::Origins origins;
+  for (const auto& [code, hexahedra] : found)
+    origins[code] = build::origin_named(code.quads == 8 ? "cut" : "a word of others");
+  EXPECT_EQ(taken.take_over(table, "table", origins), found.size() - 1);  // it begins with the cube
   EXPECT_EQ(hexahedra_of(taken), found);
   for (const auto& row : taken.rows()) {
-    EXPECT_EQ(build::name_of(row.origin), row.code.quads == 6 ? "sweep" : "table");
+    const std::string source = row.code.quads == 6   ? "sweep"
+                               : row.code.quads == 8 ? "cut"
+                                                     : "table";
+    EXPECT_EQ(build::name_of(row.origin), source);
     EXPECT_EQ(support::fault_of_mesh(taken.mesh(row.code), row.code), "");
   }
   EXPECT_EQ(taken.take_over(table, "table"), 0U);

@@ -1,0 +1,163 @@
+#pragma once
+/// \file
+/// Some hexahedra of a mesh with a given boundary, and what the strict rule leaves open: the state
+/// of an exhaustive search.
+///
+/// Two vertices of a hexahedron are an edge, a facet diagonal or a body diagonal of it. A set of
+/// hexahedra obeys the strict rule (enum/complex/hex_complex.hpp) if and only if each pair of
+/// vertices is of one kind in all of them, a body diagonal is in one hexahedron only, and all that
+/// contain a facet diagonal share its facet (docs/theory/proofs/strict-rule.md). So the state is
+/// the kind of each pair, and of each facet whether a hexahedron is still due on it: then it is
+/// *open*. At first the facets are the quads of the boundary, all open.
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "enum/complex/quadrangulation.hpp"
+
+namespace hexatlas::hexes {
+
+using Vertex = std::uint8_t;
+using VertexSet = std::uint64_t;
+
+inline constexpr int kMaxMeshVertices = 64;  ///< boundary vertices included: one word per set
+inline constexpr int kMaxHexahedra = 48;
+inline constexpr int kMaxFacets = complex::kMaxQuads + 5 * kMaxHexahedra;
+
+[[nodiscard]] constexpr VertexSet bit(std::size_t v) noexcept { return VertexSet{1} << v; }
+
+/// The vertices of a facet, around it.
+using Facet = std::array<Vertex, 4>;
+/// Bottom vertices b0 .. b3 around a facet, then the top vertices t0 .. t3 above them.
+using Cell = std::array<Vertex, 8>;
+
+/// A set of facets, by number.
+class FacetSet {
+ public:
+  void add(int facet) noexcept { words_[word(facet)] |= mask(facet); }
+  void remove(int facet) noexcept { words_[word(facet)] &= ~mask(facet); }
+  [[nodiscard]] bool has(int facet) const noexcept {
+    return (words_[word(facet)] & mask(facet)) != 0;
+  }
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    for (std::size_t w = 0; w < words_.size(); ++w)
+      for (std::uint64_t left = words_[w]; left != 0; left &= left - 1)
+        visit(static_cast<int>(64 * w) + std::countr_zero(left));
+  }
+
+ private:
+  [[nodiscard]] static std::size_t word(int facet) noexcept {
+    return static_cast<std::size_t>(facet) / 64;
+  }
+  [[nodiscard]] static std::uint64_t mask(int facet) noexcept {
+    return std::uint64_t{1} << (static_cast<unsigned>(facet) % 64);
+  }
+  std::array<std::uint64_t, (kMaxFacets + 63) / 64> words_{};
+};
+
+/// A hexahedron grows on an open facet, the *bottom*, by one top vertex after the other; with the
+/// fourth it is complete. Undo is exact.
+class PartialMesh {
+ public:
+  /// Requires a 3-connected quadrangulation, boundary.vertices() <= max_vertices <=
+  /// kMaxMeshVertices. `bipartite`: only meshes whose edges join two colours, as those of a ball
+  /// do.
+  PartialMesh(const complex::Quadrangulation& boundary, int max_vertices, bool bipartite);
+
+  [[nodiscard]] int vertices() const noexcept { return vertices_; }
+  [[nodiscard]] int boundary_vertices() const noexcept { return boundary_vertices_; }
+  /// How many more vertices there may be.
+  [[nodiscard]] int vertices_left() const noexcept { return max_vertices_ - vertices_; }
+  [[nodiscard]] const std::vector<Cell>& cells() const noexcept { return cells_; }
+  [[nodiscard]] const FacetSet& open() const noexcept { return open_; }
+  [[nodiscard]] int open_count() const noexcept { return open_count_; }
+  [[nodiscard]] const Facet& facet(int number) const noexcept {
+    return facets_[static_cast<std::size_t>(number)];
+  }
+  [[nodiscard]] bool is_open(int number) const noexcept { return open_.has(number); }
+  /// The number of the facet with this diagonal, or -1.
+  [[nodiscard]] int facet_at(std::size_t u, std::size_t v) const noexcept { return at_[u][v]; }
+  [[nodiscard]] bool is_interior(int v) const noexcept { return v >= boundary_vertices_; }
+  /// Hexahedra at a vertex.
+  [[nodiscard]] int cells_at(int v) const noexcept {
+    return cells_at_[static_cast<std::size_t>(v)];
+  }
+
+  /// The vertices there are that may be above corner i of an open facet, as far as pairs with the
+  /// facet tell.
+  [[nodiscard]] VertexSet above(const Facet& facet, std::size_t i) const noexcept {
+    const Facet& b = facet;
+    const VertexSet barred = not_edge_[b[i]] | not_diagonal_[b[(i + 1) % 4]] |
+                             not_diagonal_[b[(i + 3) % 4]] | related_[b[(i + 2) % 4]];
+    return ~barred & (bipartite_ ? colour_[1 - colour_of_[b[i]]] : all_);
+  }
+
+  /// Begins a hexahedron. Requires that none is begun and the facet is open.
+  void begin(int bottom) noexcept;
+  [[nodiscard]] bool has_begun() const noexcept { return bottom_ >= 0; }
+  [[nodiscard]] int bottom() const noexcept { return bottom_; }
+  /// The vertices that may be the next top vertex, as far as pairs tell; vertices() stands for a
+  /// new one. Requires a hexahedron begun.
+  [[nodiscard]] VertexSet next_tops() const noexcept;
+  /// Puts the next top vertex there; with the fourth one the hexahedron is complete, and none is
+  /// begun. False, and nothing changed, if the strict rule is broken. Requires an element of
+  /// next_tops().
+  [[nodiscard]] bool put(Vertex top);
+  /// Takes the last top vertex off again. What begin() did stays if it was the first one.
+  void take_off() noexcept;
+  /// Whether the last put() completed a hexahedron.
+  [[nodiscard]] bool has_just_completed() const noexcept { return bottom_ < 0 || tops_ == 0; }
+  /// New vertices among the tops of the hexahedron begun.
+  [[nodiscard]] int new_tops() const noexcept;
+
+ private:
+  struct Step {
+    VertexSet edges = 0, diagonals = 0;  ///< vertices whose pairs with the top are new ones
+    Vertex top = 0;
+    bool is_new = false;
+  };
+  struct Completed {
+    int bottom = 0;
+    int facets = 0;  ///< there were before
+    int closed_count = 0;
+    std::array<int, 6> closed{};
+  };
+
+  [[nodiscard]] bool side_fits(const Facet& b, std::size_t i, std::size_t j) const noexcept;
+  [[nodiscard]] bool diagonal_fits(std::size_t from, std::size_t to, Vertex between,
+                                   int opposite) const noexcept;
+  [[nodiscard]] bool facets_fit(std::size_t i, Vertex top) const noexcept;
+  void relate(std::size_t i, Vertex top, Step& step) noexcept;
+  void unrelate(std::size_t i, const Step& step) noexcept;
+  [[nodiscard]] bool complete();
+  void undo_complete() noexcept;
+  void add_vertex(Vertex v, unsigned colour) noexcept;
+  void remove_vertex(Vertex v) noexcept;
+
+  int boundary_vertices_, max_vertices_, vertices_ = 0;
+  bool bipartite_;
+  VertexSet all_ = 0;
+  std::array<VertexSet, 2> colour_{};
+  std::array<std::uint8_t, kMaxMeshVertices> colour_of_{};
+  /// For each vertex those that make with it no edge, no facet diagonal, no new pair: those of the
+  /// other kinds and itself.
+  std::array<VertexSet, kMaxMeshVertices> not_edge_{}, not_diagonal_{}, related_{};
+  std::array<std::array<std::int16_t, kMaxMeshVertices>, kMaxMeshVertices> at_{};
+  std::array<std::uint8_t, kMaxMeshVertices> cells_at_{};
+  std::array<Facet, kMaxFacets> facets_{};
+  int facet_count_ = 0;
+  FacetSet open_;
+  int open_count_ = 0;
+  std::vector<Cell> cells_;
+  int bottom_ = -1;
+  std::size_t tops_ = 0;  ///< of the hexahedron begun
+  std::array<Vertex, 4> top_{};
+  std::vector<Step> steps_;
+  std::vector<Completed> completed_;
+};
+
+}  // namespace hexatlas::hexes

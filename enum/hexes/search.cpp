@@ -1,0 +1,77 @@
+#include "enum/hexes/search.hpp"
+
+#include <algorithm>
+
+#include "enum/cells/cube.hpp"
+#include "enum/core/checks.hpp"
+
+namespace hexatlas::hexes {
+
+int most_interior_vertices(int boundary_quads, int hexahedra) noexcept {
+  return std::max(0, 2 * hexahedra + 1 - boundary_quads / 2);
+}
+
+HexSearch::HexSearch(const complex::Quadrangulation& boundary, const SearchLimits& limits,
+                     Prunings prunings)
+    : limits_(limits),
+      prunings_(prunings),
+      mesh_(boundary, boundary.vertices() + limits.max_interior, limits.bipartite) {
+  core::expects(limits.max_hexahedra >= 0 && limits.max_hexahedra <= kMaxHexahedra,
+                "a search has at most 48 hexahedra");
+  if (!open_level()) levels_.push_back({});
+}
+
+/// Chooses where the next hexahedron goes. False if no mesh within the limits follows.
+bool HexSearch::open_level() {
+  const int left = limits_.max_hexahedra - static_cast<int>(mesh_.cells().size());
+  Level level;
+  if (mesh_.open_count() > 0) {
+    if (left == 0) return false;
+    if (prunings_.face_budget && exceeds_face_budget(mesh_, left)) return false;
+    level.new_vertices = mesh_.vertices_left();
+    if (prunings_.corner_budget) {
+      const int within = new_vertices_within(mesh_, left);
+      if (within < 0) return false;
+      level.new_vertices = std::min(level.new_vertices, within);
+    }
+    list_open_facets(mesh_, level.new_vertices > 0, open_);
+    if (prunings_.candidates && open_.is_refuted) return false;
+    if (prunings_.cover && exceeds_cover_bound(mesh_, open_, left)) return false;
+    level.bottom = open_.number[open_.tightest];
+    mesh_.begin(level.bottom);
+  }
+  levels_.push_back(level);
+  return true;
+}
+
+HexSearch::Choices HexSearch::choices() const noexcept {
+  if (!mesh_.has_begun()) return Choices(0);
+  VertexSet tops = mesh_.next_tops();
+  if (mesh_.new_tops() >= levels_.back().new_vertices)
+    tops &= ~bit(static_cast<std::size_t>(mesh_.vertices()));
+  return Choices(tops);
+}
+
+bool HexSearch::apply(Choice choice) {
+  if (!mesh_.put(choice.top)) return false;
+  if (mesh_.has_begun() || open_level()) return true;
+  mesh_.take_off();
+  return false;
+}
+
+void HexSearch::undo() noexcept {
+  if (mesh_.has_just_completed()) levels_.pop_back();
+  mesh_.take_off();
+}
+
+complex::HexComplex complex_of(const PartialMesh& mesh) {
+  complex::HexComplex result{static_cast<std::uint32_t>(mesh.vertices()), {}};
+  for (const Cell& cell : mesh.cells()) {
+    complex::Hexahedron hexahedron{};
+    for (std::size_t i = 0; i < cell.size(); ++i) hexahedron[cells::kCornerOfPrism[i]] = cell[i];
+    result.hexahedra.push_back(hexahedron);
+  }
+  return result;
+}
+
+}  // namespace hexatlas::hexes

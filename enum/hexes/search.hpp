@@ -1,0 +1,114 @@
+#pragma once
+/// \file
+/// Exhaustive search for hexahedral meshes with a given boundary.
+///
+/// Backtracking: of the facets on which a hexahedron is still due, the one with the fewest
+/// candidates gets it, one top vertex after the other; new vertices are numbered as they appear, so
+/// no mesh comes twice. The prunings (bounds.hpp) lose nothing within the limits and have a switch
+/// each; docs/theory/proofs/hexahedral-search.md.
+///
+/// Source. The bounds of 17 hexahedra and 18 interior vertices for Schneiders' pyramid: Verhetsel,
+/// Pellerin, Remacle, "A 44-element mesh of Schneiders' pyramid" (IMR 2018), by a search on lists
+/// of vertices. State, prunings and order of this one are of this project.
+///
+/// Claim. The complete states are exactly the complexes of at most max_hexahedra hexahedra and
+/// max_interior interior vertices, each component of which (by facets) has a facet on the boundary,
+/// that obey the strict rule and whose facets in one hexahedron are the quads of the boundary.
+/// Each is met once, with its interior vertices numbered by first appearance. They need not be
+/// balls. With `bipartite`: those of them whose edges join two colours, as those of all balls do.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "enum/complex/hex_complex.hpp"
+#include "enum/complex/quadrangulation.hpp"
+#include "enum/hexes/bounds.hpp"
+#include "enum/hexes/partial_mesh.hpp"
+
+namespace hexatlas::hexes {
+
+/// Which prunings are on.
+struct Prunings {
+  bool face_budget = true;    ///< exceeds_face_budget()
+  bool corner_budget = true;  ///< new_vertices_within()
+  bool candidates = true;     ///< OpenFacets::is_refuted
+  bool cover = true;          ///< exceeds_cover_bound()
+};
+
+struct SearchLimits {
+  int max_hexahedra = 0;  ///< at most kMaxHexahedra
+  int max_interior = 0;   ///< vertices; with those of the boundary at most kMaxMeshVertices
+  bool bipartite = false;
+};
+
+/// No mesh of so many hexahedra has more interior vertices: 2 H + 1 - n / 2.
+[[nodiscard]] int most_interior_vertices(int boundary_quads, int hexahedra) noexcept;
+
+/// A backtracking problem in the sense of enum/search. Cost of a node: tens of nanoseconds, of one
+/// that completes a hexahedron microseconds.
+class HexSearch {
+ public:
+  /// The next top vertex.
+  struct Choice {
+    Vertex top = 0;
+    friend bool operator==(Choice, Choice) = default;
+  };
+
+  /// Ascending.
+  class Choices {
+   public:
+    struct End {};
+    class Iterator {
+     public:
+      explicit Iterator(VertexSet left) : left_(left) {}
+      Choice operator*() const { return {static_cast<Vertex>(std::countr_zero(left_))}; }
+      Iterator& operator++() {
+        left_ &= left_ - 1;
+        return *this;
+      }
+      friend bool operator==(const Iterator& at, End) { return at.left_ == 0; }
+
+     private:
+      VertexSet left_;
+    };
+    explicit Choices(VertexSet tops) : tops_(tops) {}
+    [[nodiscard]] Iterator begin() const { return Iterator(tops_); }
+    [[nodiscard]] End end() const { return {}; }
+
+   private:
+    VertexSet tops_;
+  };
+
+  /// Requires a 3-connected boundary and limits within their ranges.
+  HexSearch(const complex::Quadrangulation& boundary, const SearchLimits& limits,
+            Prunings prunings = {});
+
+  [[nodiscard]] bool is_complete() const noexcept { return mesh_.open_count() == 0; }
+  [[nodiscard]] Choices choices() const noexcept;
+  [[nodiscard]] bool apply(Choice choice);
+  void undo() noexcept;
+
+  [[nodiscard]] const PartialMesh& mesh() const noexcept { return mesh_; }
+
+ private:
+  struct Level {
+    int bottom = -1;       ///< of the hexahedron begun after this one
+    int new_vertices = 0;  ///< that it may bring
+  };
+
+  [[nodiscard]] bool open_level();
+
+  SearchLimits limits_;
+  Prunings prunings_;
+  PartialMesh mesh_;
+  std::vector<Level> levels_;
+  OpenFacets open_;
+};
+
+/// The complex of a complete state, boundary vertices first. Each hexahedron is right-handed if the
+/// facet that it was put on is counter-clockwise from outside; so all are, if the boundary's quads
+/// are and the complex can be oriented.
+[[nodiscard]] complex::HexComplex complex_of(const PartialMesh& mesh);
+
+}  // namespace hexatlas::hexes

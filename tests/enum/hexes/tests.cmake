@@ -1,0 +1,6 @@
+hexatlas_test(enum_hexes_search_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/search_test.cpp
+  USES enum_hexes enum_search enum_flips)
+hexatlas_test(enum_hexes_brute_force_test long
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/brute_force_test.cpp
+  USES enum_hexes enum_search enum_flips)
