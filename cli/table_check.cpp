@@ -100,6 +100,9 @@ std::string completeness_text(const check::TableVerdict& verdict) {
                           row.is_complete() ? "complete" : "not complete");
     text += "\n";
   }
+  if (verdict.claimed_bounds > 0)
+    text += fmt::format("{}: a claim that nothing here proves\n",
+                        counted(verdict.claimed_bounds, "lower bound", "lower bounds"));
   return text + (verdict.claimed_through == 0
                      ? "it makes no claim to be complete\n"
                      : fmt::format("it claims to be complete through {} quads\n",
@@ -116,6 +119,7 @@ std::string json_line(const std::string& path, const Findings& found) {
   json["names"] = found.verdict.names;
   json["claimed_through"] = found.verdict.claimed_through;
   json["complete_through"] = found.verdict.complete_through;
+  json["claimed_bounds"] = found.verdict.claimed_bounds;
   json["by_quads"] = nlohmann::ordered_json::object();
   for (const check::TableRow& row : found.verdict.by_quads)
     json["by_quads"][std::to_string(row.quads)] = {{"entries", row.entries},

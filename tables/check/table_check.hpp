@@ -45,6 +45,7 @@ struct TableVerdict {
   std::uint64_t names = 0;
   std::uint32_t claimed_through = 0;   ///< what the table claims of itself; 0: nothing
   std::uint32_t complete_through = 0;  ///< proven for all even numbers of quads from 6 to this
+  std::uint64_t claimed_bounds = 0;    ///< entries that claim more than one hexahedron to be needed
   std::vector<TableRow> by_quads;      ///< of the entries accepted so far
 };
 

@@ -53,6 +53,18 @@ class Damage(TableTest):
                 self.assertIn("bad.hxt: ", ran.out + ran.err)
         self.assertNotIn("a.vtk", self.listing())
 
+    def test_lower_bounds_are_called_claims(self):
+        key = bytes.fromhex("022972977f")  # two cubes
+        data = bytearray(self.good)
+        struct.pack_into("<H", data, data.index(key) + len(key) + 4, 2)
+        self.write("bound.hxt", signed(data))
+        ran = self.expect(0, self.hexatlas("table", "check", "bound.hxt"))
+        self.assertIn("1 lower bound: a claim that nothing here proves\n", ran.out)
+        ran = self.expect(0, self.hexatlas("table", "check", "bound.hxt", "--json"))
+        self.assertEqual(json.loads(ran.out)["claimed_bounds"], 1)
+        self.write("good.hxt", self.good)
+        self.assertNotIn("bound", self.expect(0, self.hexatlas("table", "check", "good.hxt")).out)
+
     def test_check_finds_what_no_digest_shows(self):
         first = struct.unpack_from("<Q", self.good, 48)[0]  # the cube's entry, a key of 3 bytes
         for name, place in (("hexahedra", 3), ("interior vertices", 5), ("bound", 7), ("zero", 9)):
