@@ -134,13 +134,14 @@ TableSearch::Found TableSearch::smaller(const canon::Code& code, const complex::
 /// The least of what comes from the mesh known and from cuts, if it is any progress. A boundary
 /// without a mesh gets one first, and more of the effort in later rounds.
 std::optional<TableSearch::Found> TableSearch::cut(const canon::Code& code) const {
-  constexpr int kWorthATry = 10;   // exchange may well take off so many
-  constexpr int kWideCircle = 10;  // ten times the time of a circle of 8
+  constexpr int kWorthATry = 10;    // exchange may well take off so many
+  constexpr int kWideCircle = 10;   // ten times the time of a circle of 8
+  constexpr int kFewInteriors = 4;  // of more there are too many within wide circles
   const int known = hexahedra(code);
   const int growths = known == kNone ? options_.growths : options_.cut_growths;
   flips::CutOptions limits;
   limits.max_quads = options_.balls.max_quads;
-  limits.max_circle = known == kNone ? limits.max_circle : kWideCircle;
+  if (known != kNone && options_.cut_interior <= kFewInteriors) limits.max_circle = kWideCircle;
   limits.max_interior = options_.cut_interior;
   limits.below = known + kWorthATry;
   limits.count = known == kNone ? 1 : options_.cuts_each;
