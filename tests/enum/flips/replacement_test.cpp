@@ -150,7 +150,7 @@ TEST(Replacement, MakesMeshesSmallerAndKeepsTheirBoundary) {
     const auto other = flips::smaller_by_replacement(mesh, code.quads, beam, climbing);
     ASSERT_TRUE(other) << canon::to_text(code);
     EXPECT_LT(other->hexahedra.size(), mesh.hexahedra.size());
-    EXPECT_EQ(support::fault_of_filling(*other, code), "") << canon::to_text(code);
+    EXPECT_EQ(support::fault_of_mesh(*other, code), "") << canon::to_text(code);
     ++reduced;
   }
   EXPECT_GT(reduced, 3U);
