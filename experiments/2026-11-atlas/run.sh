@@ -9,7 +9,9 @@ trap 'rm -rf "$folder"' EXIT
 if [[ "${1:-}" == --search ]]; then
   "$program" table build -o hexatlas.hxt --state hexatlas.state
   "$program" table build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas.state \
-    --rounds 1 --max-hexahedra 1 --growths 0 --cut 1 --cut-growths 0 --collared 0
+    --rounds 1 --max-hexahedra 1 --cut 2000 --cuts-each 4 --collared 0
+  "$program" table build -o hexatlas-again.hxt --start-from hexatlas-22.hxt --rounds 1 --width 60000 \
+    --per-class 30 --cut 60 --cuts-each 12 --cut-growths 2000 --cut-interior 7 --cut-uphill 6 --collared 0
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
