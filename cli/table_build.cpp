@@ -57,16 +57,12 @@ build::SearchOptions search_options(const TableBuildOptions& options) {
 }
 
 /// How the meshes of a table were found, from the census beside it, if there is one.
-build::TableSearch::Origins origins_of(const format::Table& table, const std::string& file) {
+build::TableSearch::Origins origins_of(const format::Table& table) {
   build::TableSearch::Origins origins;
-  const std::string path = build::census_path(file);
-  if (!is_there(path)) return origins;
-  const build::Census census = build::read_census(path);
-  if (census.about.table_sha256 != table.sha256())
-    throw core::InvalidInput(path, "is the census of another table than " + file);
-  for (const build::CensusRow& row : census.rows)
-    if (const auto code = canon::from_text(row.code))
-      origins[*code] = build::origin_named(row.source);
+  if (const auto census = census_beside(table))
+    for (const build::CensusRow& row : census->rows)
+      if (const auto code = canon::from_text(row.code))
+        origins[*code] = build::origin_named(row.source);
   return origins;
 }
 
@@ -75,21 +71,21 @@ build::TableSearch begin_with(const std::vector<std::string>& files,
                               std::vector<canon::Code> targets,
                               const build::SearchOptions& options) {
   std::optional<build::TableSearch> search;
-  std::vector<std::pair<std::string, format::Table>> tables;
+  std::vector<format::Table> tables;
   for (const std::string& file : files) {
     std::string bytes = core::read_file(file);
     if (!build::TableSearch::is_saved(bytes)) {
-      tables.emplace_back(file, format::Table::from_bytes(std::move(bytes), file));
+      tables.push_back(format::Table::from_bytes(std::move(bytes), file));
       continue;
     }
     if (search) throw core::InvalidInput(file, "a second saved search; one can be begun with");
     search = build::TableSearch::started_from(bytes, targets, options, file);
   }
   if (!search) search.emplace(std::move(targets), options);
-  for (const auto& [file, table] : tables)
+  for (const format::Table& table : tables)
     say(fmt::format(
-        "{}: {} taken over", file,
-        counted(search->take_over(table, file, origins_of(table, file)), "mesh", "meshes")));
+        "{}: {} taken over", table.path(),
+        counted(search->take_over(table, table.path(), origins_of(table)), "mesh", "meshes")));
   return *std::move(search);
 }
 

@@ -9,7 +9,6 @@
 
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
-#include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "tables/build/census.hpp"
 #include "tables/sheet/distribution_chart.hpp"
@@ -30,13 +29,9 @@ struct Statistics {
 
 Statistics statistics_of(const format::Table& table) {
   Statistics result;
-  const std::string path = build::census_path(table.path());
-  if (is_there(path)) {
-    const build::Census census = build::read_census(path);
-    if (census.about.table_sha256 != table.sha256())
-      throw core::InvalidInput(path, "is the census of another table than " + table.path());
-    result.read_from = path;
-    for (const build::CensusRow& row : census.rows) {
+  if (const auto census = census_beside(table)) {
+    result.read_from = build::census_path(table.path());
+    for (const build::CensusRow& row : census->rows) {
       result.add(row.quads, row.hexahedra);
       ++result.sources[row.quads][row.source];
     }

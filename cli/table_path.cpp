@@ -26,4 +26,13 @@ std::string table_path(const std::string& asked_for) {
                            "with --table, or make one with `hexatlas table build`");
 }
 
+std::optional<build::Census> census_beside(const format::Table& table) {
+  const std::string path = build::census_path(table.path());
+  if (!is_there(path)) return std::nullopt;
+  build::Census census = build::read_census(path);
+  if (census.about.table_sha256 != table.sha256())
+    throw core::InvalidInput(path, "is the census of another table than " + table.path());
+  return census;
+}
+
 }  // namespace hexatlas::cli

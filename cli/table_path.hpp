@@ -1,8 +1,12 @@
 #pragma once
 /// \file
-/// Where tables lie, and whether a file is there.
+/// Where tables lie, and what lies beside them.
 
+#include <optional>
 #include <string>
+
+#include "tables/build/census.hpp"
+#include "tables/format/table.hpp"
 
 namespace hexatlas::cli {
 
@@ -14,5 +18,9 @@ namespace hexatlas::cli {
 /// executable in tables/ or in ../share/hexatlas/tables/.
 /// Throws InvalidInput if it was not asked for and is not there.
 [[nodiscard]] std::string table_path(const std::string& asked_for);
+
+/// The census beside the file of a table, if there is one. Throws InvalidInput if it is damaged or
+/// the census of another table.
+[[nodiscard]] std::optional<build::Census> census_beside(const format::Table& table);
 
 }  // namespace hexatlas::cli

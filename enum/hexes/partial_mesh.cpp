@@ -118,20 +118,16 @@ void PartialMesh::relate(std::size_t i, Vertex top, Step& step) noexcept {
   step.edges = edges & ~related_[top];
   step.diagonals = diagonals & ~related_[top];
   const VertexSet body = bit(b[(i + 2) % 4]);
-  for (VertexSet left = step.edges; left != 0; left &= left - 1) {
+  for (VertexSet left = step.edges | body; left != 0; left &= left - 1) {
     const auto u = static_cast<std::size_t>(std::countr_zero(left));
     not_diagonal_[u] |= self;
     related_[u] |= self;
   }
-  for (VertexSet left = step.diagonals; left != 0; left &= left - 1) {
+  for (VertexSet left = step.diagonals | body; left != 0; left &= left - 1) {
     const auto u = static_cast<std::size_t>(std::countr_zero(left));
     not_edge_[u] |= self;
     related_[u] |= self;
   }
-  const Vertex far = b[(i + 2) % 4];
-  not_edge_[far] |= self;
-  not_diagonal_[far] |= self;
-  related_[far] |= self;
   not_diagonal_[top] |= step.edges | body;
   not_edge_[top] |= step.diagonals | body;
   related_[top] |= step.edges | step.diagonals | body;
@@ -159,17 +155,16 @@ bool PartialMesh::put(Vertex top) {
   Step step{.top = top, .is_new = top == vertices_};
   if (step.is_new) add_vertex(top, 1U - colour_of_[facet(bottom_)[i]]);
   relate(i, top, step);
-  if (i == 3 && !complete()) {
-    unrelate(i, step);
-    if (step.is_new) remove_vertex(top);
-    return false;
-  }
   steps_.push_back(step);
-  if (i < 3) ++tops_;
+  if (i == 3)
+    complete();
+  else
+    ++tops_;
   return true;
 }
 
-bool PartialMesh::complete() {
+/// facets_fit() has seen to it that each of the facets is a new one or an open one.
+void PartialMesh::complete() {
   Cell cell{};
   const Facet& b = facet(bottom_);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -182,14 +177,10 @@ bool PartialMesh::complete() {
     --open_count_;
     done.closed[static_cast<std::size_t>(done.closed_count++)] = number;
   };
-  completed_.push_back(done);
   close(bottom_);
-  bool is_strict = true;
   for (const auto& places : kOtherFacets) {
     const Facet f{cell[places[0]], cell[places[1]], cell[places[2]], cell[places[3]]};
     const int number = at_[f[0]][f[2]];
-    is_strict = number == at_[f[1]][f[3]] && (number < 0 || open_.has(number));
-    if (!is_strict) break;
     if (number >= 0) {
       close(number);
       continue;
@@ -200,15 +191,10 @@ bool PartialMesh::complete() {
     open_.add(fresh);
     ++open_count_;
   }
-  completed_.back() = done;
+  completed_.push_back(done);
   cells_.push_back(cell);
   for (const Vertex v : cell) ++cells_at_[v];
-  if (is_strict) {
-    bottom_ = -1;
-    return true;
-  }
-  undo_complete();
-  return false;
+  bottom_ = -1;
 }
 
 /// Back to the hexahedron with four tops; the last one is still related.

@@ -133,7 +133,7 @@ class PartialMesh {
   [[nodiscard]] bool facets_fit(std::size_t i, Vertex top) const noexcept;
   void relate(std::size_t i, Vertex top, Step& step) noexcept;
   void unrelate(std::size_t i, const Step& step) noexcept;
-  [[nodiscard]] bool complete();
+  void complete();
   void undo_complete() noexcept;
   void add_vertex(Vertex v, unsigned colour) noexcept;
   void remove_vertex(Vertex v) noexcept;
