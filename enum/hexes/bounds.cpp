@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <iterator>
+#include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace hexatlas::hexes {
@@ -40,42 +42,44 @@ int cycle_space(const PartialMesh& mesh) {
   return dependent;
 }
 
-/// The link of a vertex as far as it is open: an edge for each open facet, between its two
-/// neighbours in the facet.
+/// The components of the open link of a vertex: the graph with an edge for each open facet at it,
+/// between its two neighbours in the facet.
 struct OpenLink {
-  int edges = 0;
-  VertexSet ends = 0;
+  int vertices = 0, components = 0;
 };
 
-int components(const PartialMesh& mesh, Vertex v) {
+OpenLink open_link(const PartialMesh& mesh, const OpenFacets& open, Vertex v) {
   std::array<Vertex, kMaxMeshVertices> parent{};
-  for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = static_cast<Vertex>(i);
   const auto root = [&](Vertex x) {
     while (parent[x] != x) x = parent[x];
     return x;
   };
   VertexSet ends = 0;
-  int joined = 0;
-  mesh.open().for_each([&](int number) {
-    const Facet& f = mesh.facet(number);
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (f[i] != v) continue;
-      const Vertex a = f[(i + 1) % 4], b = f[(i + 3) % 4];
-      ends |= bit(a) | bit(b);
-      if (root(a) == root(b)) continue;
-      parent[root(a)] = root(b);
-      ++joined;
+  OpenLink link;
+  for (const OpenFacets::Corner& corner : open.at(v)) {
+    const Facet& f = mesh.facet(open.number(corner.place));
+    const std::array<Vertex, 2> pair{f[(corner.at + 1U) % 4], f[(corner.at + 3U) % 4]};
+    for (const Vertex x : pair) {
+      if ((ends & bit(x)) != 0) continue;
+      ends |= bit(x);
+      parent[x] = x;
+      ++link.components;
     }
-  });
-  return std::popcount(ends) - joined;
+    if (root(pair[0]) == root(pair[1])) continue;
+    parent[root(pair[0])] = root(pair[1]);
+    --link.components;
+  }
+  link.vertices = std::popcount(ends);
+  return link;
 }
 
 /// At least as many as the disjoint cycles that make up an open link: each has three edges, and
 /// they are independent.
-int most_cycles(const PartialMesh& mesh, Vertex v, const OpenLink& link) {
-  const int by_length = link.edges / 3;
-  if (by_length <= 1) return by_length;
-  return std::min(by_length, link.edges - std::popcount(link.ends) + components(mesh, v));
+int most_cycles(const PartialMesh& mesh, const OpenFacets& open, Vertex v) {
+  const int edges = mesh.open_at(v);
+  if (edges < 6) return edges / 3;
+  const OpenLink link = open_link(mesh, open, v);
+  return std::min(edges / 3, edges - link.vertices + link.components);
 }
 
 /// Whether a diagonal from one facet to another one at their common corner is none yet, or that of
@@ -90,21 +94,21 @@ bool may_be_diagonal(const PartialMesh& mesh, Vertex from, Vertex to, Vertex cor
 /// Facets f and g with the edge of f from corner i; g continues at it as a, b, e, d or reversed.
 bool fit_across(const PartialMesh& mesh, const OpenFacets& open, std::size_t a, std::size_t b,
                 std::size_t i) {
-  const Facet& f = mesh.facet(open.number[a]);
-  const Facet& g = mesh.facet(open.number[b]);
+  const Facet& f = mesh.facet(open.number(a));
+  const Facet& g = mesh.facet(open.number(b));
   const Vertex u = f[i], v = f[(i + 1) % 4];
   std::size_t at = 0;
   while (g[at] != u) ++at;
   const bool forward = g[(at + 1) % 4] == v;
   const Vertex over_u = g[(at + (forward ? 3 : 1)) % 4], over_v = g[(at + 2) % 4];
-  if ((open.above[a][i] & bit(over_u)) == 0 || (open.above[a][(i + 1) % 4] & bit(over_v)) == 0)
+  if ((open.above(a)[i] & bit(over_u)) == 0 || (open.above(a)[(i + 1) % 4] & bit(over_v)) == 0)
     return false;
   return may_be_diagonal(mesh, f[(i + 2) % 4], over_v, v) &&
          may_be_diagonal(mesh, f[(i + 3) % 4], over_u, u);
 }
 
 bool fit_opposite(const OpenFacets& open, std::size_t a, const Facet& g) {
-  const auto& above = open.above[a];
+  const auto& above = open.above(a);
   for (std::size_t turn = 0; turn < 4; ++turn) {
     bool forward = true, backward = true;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -115,6 +119,86 @@ bool fit_opposite(const OpenFacets& open, std::size_t a, const Facet& g) {
   }
   return false;
 }
+
+template <class Visit>
+void for_each(VertexSet set, Visit&& visit) {
+  for (; set != 0; set &= set - 1) visit(static_cast<Vertex>(std::countr_zero(set)));
+}
+
+/// For each vertex the *ears*: pairs of open facets with a common edge at it that one hexahedron
+/// may have both.
+class Ears {
+ public:
+  Ears(const PartialMesh& mesh, const OpenFacets& open) {
+    for_each(open.vertices(), [&](Vertex u) {
+      const auto corners = open.at(u);
+      for (std::size_t x = 0; x < corners.size(); ++x)
+        for (std::size_t y = x + 1; y < corners.size(); ++y)
+          look(mesh, open, u, corners[x], corners[y]);
+    });
+  }
+
+  /// Edges whose two open facets cannot be of one hexahedron.
+  [[nodiscard]] int unfit_edges() const { return unfit_edges_; }
+
+  /// At most so many components of the hexahedra to come at v have two triangles less in the link
+  /// of v than open edges: each takes two disjoint ears, or three between three facets.
+  [[nodiscard]] int most_short_fans(Vertex v) const {
+    const List& list = at_[v];
+    if (list.count > kKept) return list.count;  // so many that it does not matter
+    const auto disjoint = [](const Ear& p, const Ear& q) {
+      return p[0] != q[0] && p[0] != q[1] && p[1] != q[0] && p[1] != q[1];
+    };
+    for (int p = 0; p < list.count; ++p)
+      for (int q = 0; q < p; ++q)
+        if (disjoint(list.ears[place(p)], list.ears[place(q)])) return list.count / 2;
+    return list.count == 3 && is_triangle(list) ? 1 : 0;
+  }
+
+ private:
+  static constexpr int kKept = 16;
+  using Ear = std::array<std::uint16_t, 2>;
+  struct List {
+    int count = 0;
+    std::array<Ear, kKept> ears;
+  };
+
+  static std::size_t place(int i) { return static_cast<std::size_t>(i); }
+
+  /// Three pairs, none of them disjoint, of three facets and not of four.
+  static bool is_triangle(const List& list) {
+    const auto& [p, q, r] = std::tie(list.ears[0], list.ears[1], list.ears[2]);
+    const auto common = p[0] == q[0] || p[0] == q[1] ? p[0] : p[1];
+    return r[0] != common && r[1] != common;
+  }
+
+  void add(Vertex v, const Ear& ear) {
+    List& list = at_[v];
+    if (list.count < kKept) list.ears[place(list.count)] = ear;
+    ++list.count;
+  }
+
+  /// Each edge is looked at from its lesser end.
+  void look(const PartialMesh& mesh, const OpenFacets& open, Vertex u, OpenFacets::Corner x,
+            OpenFacets::Corner y) {
+    const Facet& f = mesh.facet(open.number(x.place));
+    const Facet& g = mesh.facet(open.number(y.place));
+    for (const std::size_t turn : {std::size_t{1}, std::size_t{3}}) {
+      const Vertex w = f[(x.at + turn) % 4];
+      if (w < u || (g[(y.at + 1U) % 4] != w && g[(y.at + 3U) % 4] != w)) continue;
+      const std::size_t side = turn == 1 ? x.at : (x.at + 3U) % 4;
+      if (fit_across(mesh, open, x.place, y.place, side)) {
+        add(u, {x.place, y.place});
+        add(w, {x.place, y.place});
+      } else if (mesh.open_at(u, w) == 2) {
+        ++unfit_edges_;
+      }
+    }
+  }
+
+  std::array<List, kMaxMeshVertices> at_;
+  int unfit_edges_ = 0;
+};
 
 }  // namespace
 
@@ -127,57 +211,99 @@ bool exceeds_face_budget(const PartialMesh& mesh, int left) {
   return open > 4 * left + 2 && open > 4 * left + 2 * cycle_space(mesh);
 }
 
-int new_vertices_within(const PartialMesh& mesh, int left) {
-  std::array<OpenLink, kMaxMeshVertices> links{};
-  VertexSet touched = 0;
+void OpenFacets::list(const PartialMesh& mesh) {
+  number_.clear();
+  above_.clear();
+  std::array<std::uint16_t, kMaxMeshVertices> count{};
   mesh.open().for_each([&](int number) {
     const Facet& f = mesh.facet(number);
-    for (std::size_t i = 0; i < 4; ++i) {
-      OpenLink& link = links[f[i]];
-      ++link.edges;
-      link.ends |= bit(f[(i + 1) % 4]) | bit(f[(i + 3) % 4]);
-      touched |= bit(f[i]);
-    }
+    number_.push_back(number);
+    above_.push_back({mesh.above(f, 0), mesh.above(f, 1), mesh.above(f, 2), mesh.above(f, 3)});
+    for (const Vertex v : f) ++count[v];
   });
-  int due = 0;
-  for (VertexSet rest = touched; rest != 0; rest &= rest - 1) {
-    const int v = std::countr_zero(rest);
-    const OpenLink& link = links[static_cast<std::size_t>(v)];
-    int corners = link.edges - 2 * most_cycles(mesh, static_cast<Vertex>(v), link);
-    if (mesh.is_interior(v)) corners = std::max(corners, 4 - mesh.cells_at(v));
-    due += corners;
+  vertices_ = 0;
+  std::array<std::uint16_t, kMaxMeshVertices> next{};
+  for (std::size_t v = 0; v < count.size(); ++v) {
+    next[v] = begin_[v];
+    begin_[v + 1] = static_cast<std::uint16_t>(begin_[v] + count[v]);
+    if (count[v] != 0) vertices_ |= bit(v);
   }
-  const int room = 8 * left - due;
-  return room < 0 ? -1 : room / 4;
+  corners_.resize(4 * number_.size());
+  for (std::size_t place = 0; place < number_.size(); ++place) {
+    const Facet& f = mesh.facet(number_[place]);
+    for (std::size_t i = 0; i < 4; ++i)
+      corners_[next[f[i]]++] = {static_cast<std::uint16_t>(place), static_cast<std::uint8_t>(i)};
+  }
 }
 
-void list_open_facets(const PartialMesh& mesh, bool new_vertices, OpenFacets& result) {
-  result.number.clear();
-  result.above.clear();
-  result.is_refuted = false;
-  std::uint64_t fewest = ~std::uint64_t{0};
-  mesh.open().for_each([&](int number) {
-    const Facet& f = mesh.facet(number);
-    std::array<VertexSet, 4> above{};
-    std::uint64_t combinations = 1;
-    for (std::size_t i = 0; i < 4; ++i) {
-      above[i] = mesh.above(f, i);
-      combinations *= static_cast<std::uint64_t>(std::popcount(above[i])) + (new_vertices ? 1 : 0);
-    }
-    if (combinations == 0) result.is_refuted = true;
-    if (combinations < fewest) {
-      fewest = combinations;
-      result.tightest = result.number.size();
-    }
-    result.number.push_back(number);
-    result.above.push_back(above);
+bool closes_badly(const PartialMesh& mesh) {
+  for (const Vertex v : mesh.cells().back()) {
+    const int discs = 2 - mesh.link_euler(v);
+    if (mesh.open_at(v) == 0 ? discs != 0 : 3 * discs > mesh.open_at(v)) return true;
+  }
+  return false;
+}
+
+int new_vertices_within(const PartialMesh& mesh, const OpenFacets& open, int left, bool ears) {
+  std::array<int, kMaxMeshVertices> savings{};
+  int due = 0;
+  const auto add_due = [&](Vertex v) {
+    const int corners = mesh.open_at(v) - 2 * savings[v];
+    due += mesh.is_interior(v) ? std::max(corners, 4 - mesh.cells_at(v)) : corners;
+  };
+  for_each(open.vertices(), [&](Vertex v) {
+    savings[v] = mesh.is_for_balls() ? 2 - mesh.link_euler(v) : most_cycles(mesh, open, v);
+    add_due(v);
   });
+  int room = 8 * left - due;
+  if (room < 0 || !ears) return room < 0 ? -1 : room / 4;
+  const Ears found(mesh, open);
+  due = 0;
+  for_each(open.vertices(), [&](Vertex v) {
+    savings[v] = std::min(savings[v], found.most_short_fans(v));
+    add_due(v);
+  });
+  room = 8 * left - due;
+  if (room < 0) return -1;
+  if (!mesh.is_for_balls()) return room / 4;
+  const int for_edges = 6 * left - mesh.open_count() / 2 - 3 * mesh.euler() - found.unfit_edges();
+  return for_edges < 0 ? -1 : std::min(room / 4, for_edges / 3);
+}
+
+Tightest tightest(PartialMesh& mesh, const OpenFacets& open, int new_vertices) {
+  struct Candidate {
+    std::uint64_t combinations = 0;
+    std::size_t place = 0;
+    bool operator<(const Candidate& other) const {
+      return std::tie(combinations, place) < std::tie(other.combinations, other.place);
+    }
+  };
+  std::array<Candidate, kMaxFacets> order;
+  for (std::size_t place = 0; place < open.size(); ++place) {
+    std::uint64_t combinations = 1;
+    for (const VertexSet tops : open.above(place))
+      combinations *= static_cast<std::uint64_t>(std::popcount(tops)) + (new_vertices > 0 ? 1 : 0);
+    order[place] = {combinations, place};
+  }
+  const std::size_t counted = std::min(kCounted, open.size());
+  std::partial_sort(order.begin(), order.begin() + counted, order.begin() + open.size());
+  Tightest result;
+  int fewest = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < counted && fewest > 0; ++i) {
+    const int facet = open.number(order[i].place);
+    const int count = mesh.hexahedra_on(facet, new_vertices, fewest);
+    if (count >= fewest) continue;
+    fewest = count;
+    result.facet = facet;
+  }
+  result.is_refuted = fewest == 0;
+  return result;
 }
 
 bool fit_one_hexahedron(const PartialMesh& mesh, const OpenFacets& open, std::size_t a,
                         std::size_t b) {
-  const Facet& f = mesh.facet(open.number[a]);
-  const Facet& g = mesh.facet(open.number[b]);
+  const Facet& f = mesh.facet(open.number(a));
+  const Facet& g = mesh.facet(open.number(b));
   VertexSet in_g = 0;
   for (const Vertex v : g) in_g |= bit(v);
   unsigned common = 0;
@@ -200,7 +326,7 @@ bool fit_one_hexahedron(const PartialMesh& mesh, const OpenFacets& open, std::si
 }
 
 bool exceeds_cover_bound(const PartialMesh& mesh, const OpenFacets& open, int left) {
-  const std::size_t count = open.number.size();
+  const std::size_t count = open.size();
   if (count <= static_cast<std::size_t>(left) || count > 64) return false;
   std::array<std::uint64_t, 64> apart{};
   for (std::size_t a = 0; a < count; ++a)

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "enum/hexes/partial_mesh.hpp"
@@ -15,21 +17,57 @@ namespace hexatlas::hexes {
 /// F <= 4 R + 2 c, where the R hexahedra to come have c components.
 [[nodiscard]] bool exceeds_face_budget(const PartialMesh& mesh, int left);
 
-/// How many new vertices `left` hexahedra may bring, by counting corners; negative if they are too
-/// few for the vertices that there are.
-[[nodiscard]] int new_vertices_within(const PartialMesh& mesh, int left);
+/// The open facets, and the vertices that may be above each corner.
+class OpenFacets {
+ public:
+  /// A corner of an open facet: `place` in the list, and which of the four.
+  struct Corner {
+    std::uint16_t place = 0;
+    std::uint8_t at = 0;
+  };
 
-/// The open facets, with the vertices that may be above each corner.
-struct OpenFacets {
-  std::vector<int> number;
-  std::vector<std::array<VertexSet, 4>> above;
-  /// The one with the fewest combinations of top vertices; of several the first.
-  std::size_t tightest = 0;
-  /// Whether some corner has no candidate, not even a new vertex.
-  bool is_refuted = false;
+  void list(const PartialMesh& mesh);
+
+  [[nodiscard]] std::size_t size() const noexcept { return number_.size(); }
+  [[nodiscard]] int number(std::size_t place) const noexcept { return number_[place]; }
+  [[nodiscard]] const std::array<VertexSet, 4>& above(std::size_t place) const noexcept {
+    return above_[place];
+  }
+  /// The corners at a vertex.
+  [[nodiscard]] std::span<const Corner> at(Vertex v) const noexcept {
+    return std::span(corners_).subspan(begin_[v], begin_[v + std::size_t{1}] - begin_[v]);
+  }
+  /// The vertices with corners.
+  [[nodiscard]] VertexSet vertices() const noexcept { return vertices_; }
+
+ private:
+  std::vector<int> number_;
+  std::vector<std::array<VertexSet, 4>> above_;
+  std::vector<Corner> corners_;
+  std::array<std::uint16_t, kMaxMeshVertices + 1> begin_{};
+  VertexSet vertices_ = 0;
 };
-/// `new_vertices`: whether there may be some.
-void list_open_facets(const PartialMesh& mesh, bool new_vertices, OpenFacets& result);
+
+/// Whether the link of a vertex of the last hexahedron cannot become a sphere or a disc. For balls
+/// only. Requires a hexahedron.
+[[nodiscard]] bool closes_badly(const PartialMesh& mesh);
+
+/// How many new vertices `left` hexahedra may bring, by counting corners; negative if they are too
+/// few for the vertices that there are. With `ears`, two open facets with a common edge are asked
+/// whether one hexahedron may have both.
+[[nodiscard]] int new_vertices_within(const PartialMesh& mesh, const OpenFacets& open, int left,
+                                      bool ears);
+
+/// Where the next hexahedron should go.
+struct Tightest {
+  int facet = -1;  ///< the one on which the fewest hexahedra can be put; of several the first
+  bool is_refuted = false;  ///< on some facet there can be none
+};
+/// Of the kCounted facets with the fewest combinations of top vertices, whose hexahedra are
+/// counted. `new_vertices`: at most so many in one hexahedron. Requires an open facet. Restores the
+/// mesh.
+[[nodiscard]] Tightest tightest(PartialMesh& mesh, const OpenFacets& open, int new_vertices);
+inline constexpr std::size_t kCounted = 10;
 
 /// Whether open facets a and b, by place in the list, may be facets of one hexahedron, as far as
 /// pairs of vertices and facets tell.

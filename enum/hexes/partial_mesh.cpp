@@ -11,8 +11,8 @@ constexpr std::array<std::array<std::uint8_t, 4>, 5> kOtherFacets{
 
 }  // namespace
 
-PartialMesh::PartialMesh(const complex::Quadrangulation& boundary, int max_vertices, bool bipartite)
-    : boundary_vertices_(boundary.vertices()), max_vertices_(max_vertices), bipartite_(bipartite) {
+PartialMesh::PartialMesh(const complex::Quadrangulation& boundary, int max_vertices, bool ball)
+    : boundary_vertices_(boundary.vertices()), max_vertices_(max_vertices), ball_(ball) {
   core::expects(boundary.is_three_connected(), "the boundary is 3-connected");
   core::expects(boundary_vertices_ <= max_vertices && max_vertices <= kMaxMeshVertices,
                 "the vertices fit into one word");
@@ -45,9 +45,37 @@ PartialMesh::PartialMesh(const complex::Quadrangulation& boundary, int max_verti
       at_[u][w] = static_cast<std::int16_t>(q);
     }
     facets_[static_cast<std::size_t>(q)] = facet;
-    open_.add(q);
+    open(q);
   }
-  facet_count_ = open_count_ = boundary.quads();
+  facet_count_ = boundary.quads();
+  edge_count_ = 2 * boundary.quads();
+}
+
+void PartialMesh::open(int number) noexcept {
+  open_.add(number);
+  ++open_count_;
+  const Facet& f = facet(number);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vertex u = f[i], v = f[(i + 1) % 4];
+    if (open_at_[u]++ == 0) open_vertices_ |= bit(u);
+    open_at_edge_[v][u] = ++open_at_edge_[u][v];
+    closed_edge_[u] &= ~bit(v);
+    closed_edge_[v] &= ~bit(u);
+  }
+}
+
+void PartialMesh::close(int number) noexcept {
+  open_.remove(number);
+  --open_count_;
+  const Facet& f = facet(number);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vertex u = f[i], v = f[(i + 1) % 4];
+    if (--open_at_[u] == 0) open_vertices_ &= ~bit(u);
+    open_at_edge_[v][u] = --open_at_edge_[u][v];
+    if (open_at_edge_[u][v] != 0) continue;
+    closed_edge_[u] |= bit(v);
+    closed_edge_[v] |= bit(u);
+  }
 }
 
 void PartialMesh::add_vertex(Vertex v, unsigned colour) noexcept {
@@ -76,9 +104,40 @@ VertexSet PartialMesh::next_tops() const noexcept {
   VertexSet result = above(b, tops_);
   for (std::size_t j = 0; j < tops_; ++j) {
     const Vertex t = top_[j];
-    result &= ~(bit(t) | ((tops_ - j) % 2 == 1 ? not_edge_[t] : not_diagonal_[t]));
+    result &= ~(bit(t) | ((tops_ - j) % 2 == 1 ? no_edge_from(t) : not_diagonal_[t]));
   }
   return vertices_left() > 0 ? result | bit(static_cast<std::size_t>(vertices_)) : result;
+}
+
+int PartialMesh::hexahedra_on(int facet_number, int new_vertices, int limit) noexcept {
+  begin(facet_number);
+  const Facet& b = facet(facet_number);
+  const int count =
+      count_tops(0, {above(b, 0), above(b, 1), above(b, 2), above(b, 3)}, new_vertices, limit);
+  bottom_ = -1;
+  return count;
+}
+
+int PartialMesh::count_tops(std::size_t i, const Tops& tops, int new_vertices, int limit) noexcept {
+  int count = 0;
+  const auto go_on = [&](Vertex top, VertexSet not_edge, VertexSet not_diagonal, int new_left) {
+    top_[i] = top;
+    if (!facets_fit(i, top)) return;
+    if (i == 3) {
+      ++count;
+      return;
+    }
+    Tops rest = tops;
+    for (std::size_t j = i + 1; j < 4; ++j) rest[j] &= ~((j - i) == 2 ? not_diagonal : not_edge);
+    count += count_tops(i + 1, rest, new_left, limit - count);
+  };
+  for (VertexSet left = tops[i]; left != 0 && count < limit; left &= left - 1) {
+    const auto top = static_cast<Vertex>(std::countr_zero(left));
+    go_on(top, no_edge_from(top), not_diagonal_[top], new_vertices);
+  }
+  if (new_vertices > 0 && count < limit)
+    go_on(static_cast<Vertex>(vertices_ + new_vertices - 1), 0, 0, new_vertices - 1);
+  return count;
 }
 
 /// If there is a facet with the diagonal, it is open, has `between` next to it, and `opposite`
@@ -117,6 +176,7 @@ void PartialMesh::relate(std::size_t i, Vertex top, Step& step) noexcept {
   for (std::size_t j = 0; j < i; ++j) ((i - j) % 2 == 1 ? edges : diagonals) |= bit(top_[j]);
   step.edges = edges & ~related_[top];
   step.diagonals = diagonals & ~related_[top];
+  edge_count_ += std::popcount(step.edges);
   const VertexSet body = bit(b[(i + 2) % 4]);
   for (VertexSet left = step.edges | body; left != 0; left &= left - 1) {
     const auto u = static_cast<std::size_t>(std::countr_zero(left));
@@ -137,12 +197,16 @@ void PartialMesh::unrelate(std::size_t i, const Step& step) noexcept {
   const Vertex top = step.top;
   const VertexSet others = ~bit(top);
   const Vertex far = facet(bottom_)[(i + 2) % 4];
+  edge_count_ -= std::popcount(step.edges);
   for (VertexSet left = step.edges | step.diagonals | bit(far); left != 0; left &= left - 1) {
     const auto u = static_cast<std::size_t>(std::countr_zero(left));
     not_edge_[u] &= others;
     not_diagonal_[u] &= others;
     related_[u] &= others;
   }
+  for (VertexSet left = step.edges; left != 0; left &= left - 1)
+    closed_edge_[static_cast<std::size_t>(std::countr_zero(left))] &= others;
+  closed_edge_[top] &= ~step.edges;
   not_diagonal_[top] &= ~(step.edges | bit(far));
   not_edge_[top] &= ~(step.diagonals | bit(far));
   related_[top] &= ~(step.edges | step.diagonals | bit(far));
@@ -172,24 +236,22 @@ void PartialMesh::complete() {
     cell[4 + i] = top_[i];
   }
   Completed done{.bottom = bottom_, .facets = facet_count_};
-  const auto close = [&](int number) {
-    open_.remove(number);
-    --open_count_;
+  const auto close_one = [&](int number) {
+    close(number);
     done.closed[static_cast<std::size_t>(done.closed_count++)] = number;
   };
-  close(bottom_);
+  close_one(bottom_);
   for (const auto& places : kOtherFacets) {
     const Facet f{cell[places[0]], cell[places[1]], cell[places[2]], cell[places[3]]};
     const int number = at_[f[0]][f[2]];
     if (number >= 0) {
-      close(number);
+      close_one(number);
       continue;
     }
     const auto fresh = static_cast<std::int16_t>(facet_count_);
     at_[f[0]][f[2]] = at_[f[2]][f[0]] = at_[f[1]][f[3]] = at_[f[3]][f[1]] = fresh;
     facets_[static_cast<std::size_t>(facet_count_++)] = f;
-    open_.add(fresh);
-    ++open_count_;
+    open(fresh);
   }
   completed_.push_back(done);
   cells_.push_back(cell);
@@ -203,11 +265,9 @@ void PartialMesh::undo_complete() noexcept {
   while (facet_count_ > done.facets) {
     const Facet& f = facets_[static_cast<std::size_t>(--facet_count_)];
     at_[f[0]][f[2]] = at_[f[2]][f[0]] = at_[f[1]][f[3]] = at_[f[3]][f[1]] = -1;
-    open_.remove(facet_count_);
-    --open_count_;
+    close(facet_count_);
   }
-  for (int k = 0; k < done.closed_count; ++k) open_.add(done.closed[static_cast<std::size_t>(k)]);
-  open_count_ += done.closed_count;
+  for (int k = 0; k < done.closed_count; ++k) open(done.closed[static_cast<std::size_t>(k)]);
   bottom_ = done.bottom;
   for (std::size_t i = 0; i < 4; ++i) top_[i] = cells_.back()[4 + i];
   tops_ = 3;

@@ -64,9 +64,11 @@ class FacetSet {
 class PartialMesh {
  public:
   /// Requires a 3-connected quadrangulation, boundary.vertices() <= max_vertices <=
-  /// kMaxMeshVertices. `bipartite`: only meshes whose edges join two colours, as those of a ball
-  /// do.
-  PartialMesh(const complex::Quadrangulation& boundary, int max_vertices, bool bipartite);
+  /// kMaxMeshVertices. `ball`: edges join two colours, and a vertex or an edge without open facets
+  /// takes no further hexahedron, as in every ball.
+  PartialMesh(const complex::Quadrangulation& boundary, int max_vertices, bool ball);
+
+  [[nodiscard]] bool is_for_balls() const noexcept { return ball_; }
 
   [[nodiscard]] int vertices() const noexcept { return vertices_; }
   [[nodiscard]] int boundary_vertices() const noexcept { return boundary_vertices_; }
@@ -91,9 +93,26 @@ class PartialMesh {
   /// facet tell.
   [[nodiscard]] VertexSet above(const Facet& facet, std::size_t i) const noexcept {
     const Facet& b = facet;
-    const VertexSet barred = not_edge_[b[i]] | not_diagonal_[b[(i + 1) % 4]] |
+    const VertexSet barred = no_edge_from(b[i]) | not_diagonal_[b[(i + 1) % 4]] |
                              not_diagonal_[b[(i + 3) % 4]] | related_[b[(i + 2) % 4]];
-    return ~barred & (bipartite_ ? colour_[1 - colour_of_[b[i]]] : all_);
+    return ~barred & (ball_ ? colour_[1 - colour_of_[b[i]]] & open_vertices_ : all_);
+  }
+
+  /// Open facets at a vertex.
+  [[nodiscard]] int open_at(Vertex v) const noexcept { return open_at_[v]; }
+  /// Open facets at the edge uv.
+  [[nodiscard]] int open_at(Vertex u, Vertex v) const noexcept { return open_at_edge_[u][v]; }
+  /// Euler characteristic of the part of the link of v that is there, as a part of a sphere: the
+  /// outside of the boundary is a face of it.
+  [[nodiscard]] int link_euler(Vertex v) const noexcept {
+    const int edges = std::popcount(not_diagonal_[v] & ~not_edge_[v]);
+    const int facets = std::popcount(not_edge_[v] & ~not_diagonal_[v]);
+    return edges - facets + cells_at_[v] + (is_interior(v) ? 0 : 1);
+  }
+  /// Euler characteristic of the part of the 3-sphere that is there: the hexahedra, the boundary,
+  /// and the outside.
+  [[nodiscard]] int euler() const noexcept {
+    return vertices_ - edge_count_ + facet_count_ - static_cast<int>(cells_.size()) - 1;
   }
 
   /// Begins a hexahedron. Requires that none is begun and the facet is open.
@@ -103,6 +122,9 @@ class PartialMesh {
   /// The vertices that may be the next top vertex, as far as pairs tell; vertices() stands for a
   /// new one. Requires a hexahedron begun.
   [[nodiscard]] VertexSet next_tops() const noexcept;
+  /// How many hexahedra may be put on an open facet, at most `limit`, with at most `new_vertices`
+  /// new ones: as many as sequences of put(). Requires that none is begun.
+  [[nodiscard]] int hexahedra_on(int facet, int new_vertices, int limit) noexcept;
   /// Puts the next top vertex there; with the fourth one the hexahedron is complete, and none is
   /// begun. False, and nothing changed, if the strict rule is broken. Requires an element of
   /// next_tops().
@@ -127,6 +149,10 @@ class PartialMesh {
     std::array<int, 6> closed{};
   };
 
+  /// Vertices there are that may be at each corner of the top.
+  using Tops = std::array<VertexSet, 4>;
+  [[nodiscard]] int count_tops(std::size_t i, const Tops& tops, int new_vertices,
+                               int limit) noexcept;
   [[nodiscard]] bool side_fits(const Facet& b, std::size_t i, std::size_t j) const noexcept;
   [[nodiscard]] bool diagonal_fits(std::size_t from, std::size_t to, Vertex between,
                                    int opposite) const noexcept;
@@ -135,21 +161,34 @@ class PartialMesh {
   void unrelate(std::size_t i, const Step& step) noexcept;
   void complete();
   void undo_complete() noexcept;
+  /// The vertices that make with v no edge of a further hexahedron.
+  [[nodiscard]] VertexSet no_edge_from(Vertex v) const noexcept {
+    return ball_ ? not_edge_[v] | closed_edge_[v] : not_edge_[v];
+  }
+  void open(int facet) noexcept;
+  void close(int facet) noexcept;
   void add_vertex(Vertex v, unsigned colour) noexcept;
   void remove_vertex(Vertex v) noexcept;
 
   int boundary_vertices_, max_vertices_, vertices_ = 0;
-  bool bipartite_;
+  bool ball_;
   VertexSet all_ = 0;
   std::array<VertexSet, 2> colour_{};
   std::array<std::uint8_t, kMaxMeshVertices> colour_of_{};
   /// For each vertex those that make with it no edge, no facet diagonal, no new pair: those of the
   /// other kinds and itself.
   std::array<VertexSet, kMaxMeshVertices> not_edge_{}, not_diagonal_{}, related_{};
-  std::array<std::array<std::int16_t, kMaxMeshVertices>, kMaxMeshVertices> at_{};
+  /// The neighbours of a vertex along edges without an open facet.
+  std::array<VertexSet, kMaxMeshVertices> closed_edge_{};
+  VertexSet open_vertices_ = 0;
+  template <class T>
+  using PerPair = std::array<std::array<T, kMaxMeshVertices>, kMaxMeshVertices>;
+  PerPair<std::int16_t> at_{};
+  PerPair<std::uint8_t> open_at_edge_{};
+  std::array<std::uint8_t, kMaxMeshVertices> open_at_{};
   std::array<std::uint8_t, kMaxMeshVertices> cells_at_{};
   std::array<Facet, kMaxFacets> facets_{};
-  int facet_count_ = 0;
+  int facet_count_ = 0, edge_count_ = 0;
   FacetSet open_;
   int open_count_ = 0;
   std::vector<Cell> cells_;

@@ -15,29 +15,41 @@ HexSearch::HexSearch(const complex::Quadrangulation& boundary, const SearchLimit
                      Prunings prunings)
     : limits_(limits),
       prunings_(prunings),
-      mesh_(boundary, boundary.vertices() + limits.max_interior, limits.bipartite) {
+      mesh_(boundary, boundary.vertices() + limits.max_interior, limits.ball) {
   core::expects(limits.max_hexahedra >= 0 && limits.max_hexahedra <= kMaxHexahedra,
                 "a search has at most 48 hexahedra");
   if (!open_level()) levels_.push_back({});
+  if (limits.up_to_symmetry && first_quad() >= 0) symmetry_.emplace(boundary, first_quad());
+}
+
+/// By the last hexahedron alone.
+bool HexSearch::is_refuted_by_last() const noexcept {
+  if (mesh_.cells().empty()) return false;
+  if (limits_.ball && prunings_.links && closes_badly(mesh_)) return true;
+  return symmetry_ && !symmetry_->has_no_lesser_image(
+                          mesh_.cells().back(), mesh_,
+                          type_on_bottom(mesh_.cells().front(), mesh_.boundary_vertices()));
 }
 
 /// Chooses where the next hexahedron goes. False if no mesh within the limits follows.
 bool HexSearch::open_level() {
   const int left = limits_.max_hexahedra - static_cast<int>(mesh_.cells().size());
+  if (is_refuted_by_last()) return false;
   Level level;
   if (mesh_.open_count() > 0) {
     if (left == 0) return false;
     if (prunings_.face_budget && exceeds_face_budget(mesh_, left)) return false;
+    open_.list(mesh_);
     level.new_vertices = mesh_.vertices_left();
     if (prunings_.corner_budget) {
-      const int within = new_vertices_within(mesh_, left);
+      const int within = new_vertices_within(mesh_, open_, left, prunings_.ears);
       if (within < 0) return false;
       level.new_vertices = std::min(level.new_vertices, within);
     }
-    list_open_facets(mesh_, level.new_vertices > 0, open_);
-    if (prunings_.candidates && open_.is_refuted) return false;
+    const Tightest next = tightest(mesh_, open_, level.new_vertices);
+    if (prunings_.candidates && next.is_refuted) return false;
     if (prunings_.cover && exceeds_cover_bound(mesh_, open_, left)) return false;
-    level.bottom = open_.number[open_.tightest];
+    level.bottom = next.facet;
     mesh_.begin(level.bottom);
   }
   levels_.push_back(level);

@@ -19,10 +19,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "enum/complex/hex_complex.hpp"
 #include "enum/complex/quadrangulation.hpp"
+#include "enum/hexes/boundary_symmetry.hpp"
 #include "enum/hexes/bounds.hpp"
 #include "enum/hexes/partial_mesh.hpp"
 
@@ -31,15 +33,20 @@ namespace hexatlas::hexes {
 /// Which prunings are on.
 struct Prunings {
   bool face_budget = true;    ///< exceeds_face_budget()
+  bool links = true;          ///< closes_badly()
   bool corner_budget = true;  ///< new_vertices_within()
-  bool candidates = true;     ///< OpenFacets::is_refuted
+  bool ears = true;           ///< its ears
+  bool candidates = true;     ///< Tightest::is_refuted
   bool cover = true;          ///< exceeds_cover_bound()
 };
 
 struct SearchLimits {
   int max_hexahedra = 0;  ///< at most kMaxHexahedra
   int max_interior = 0;   ///< vertices; with those of the boundary at most kMaxMeshVertices
-  bool bipartite = false;
+  bool ball = false;      ///< nothing but balls is asked for
+  /// Of the images of a mesh under the automorphisms of the boundary at least one is asked for, not
+  /// all: see boundary_symmetry.hpp.
+  bool up_to_symmetry = false;
 };
 
 /// No mesh of so many hexahedra has more interior vertices: 2 H + 1 - n / 2.
@@ -90,6 +97,8 @@ class HexSearch {
   void undo() noexcept;
 
   [[nodiscard]] const PartialMesh& mesh() const noexcept { return mesh_; }
+  /// The quad on which the search begins, or -1 if the limits refute at once.
+  [[nodiscard]] int first_quad() const noexcept { return levels_.front().bottom; }
 
  private:
   struct Level {
@@ -98,10 +107,12 @@ class HexSearch {
   };
 
   [[nodiscard]] bool open_level();
+  [[nodiscard]] bool is_refuted_by_last() const noexcept;
 
   SearchLimits limits_;
   Prunings prunings_;
   PartialMesh mesh_;
+  std::optional<BoundarySymmetry> symmetry_;
   std::vector<Level> levels_;
   OpenFacets open_;
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <set>
 #include <vector>
@@ -57,10 +58,12 @@ struct FoundMeshes {
 };
 
 inline FoundMeshes search_all(const complex::Quadrangulation& boundary,
-                              const hexes::SearchLimits& limits, hexes::Prunings prunings = {}) {
+                              const hexes::SearchLimits& limits, hexes::Prunings prunings = {},
+                              const std::function<bool(const hexes::HexSearch&)>& is_wanted = {}) {
   hexes::HexSearch problem(boundary, limits, prunings);
   FoundMeshes found;
   const auto result = search::explore(problem, {}, {}, [&](const hexes::HexSearch& at) {
+    if (is_wanted && !is_wanted(at)) return true;
     const auto mesh = hexes::complex_of(at.mesh());
     found.meshes.insert(named(mesh.hexahedra, static_cast<std::uint32_t>(boundary.vertices())));
     return true;
@@ -71,8 +74,8 @@ inline FoundMeshes search_all(const complex::Quadrangulation& boundary,
 }
 
 inline hexes::SearchLimits limits_for(const complex::Quadrangulation& boundary, int hexahedra,
-                                      bool bipartite = false) {
-  return {hexahedra, hexes::most_interior_vertices(boundary.quads(), hexahedra), bipartite};
+                                      bool ball = false) {
+  return {hexahedra, hexes::most_interior_vertices(boundary.quads(), hexahedra), ball};
 }
 
 inline std::vector<complex::Quadrangulation> three_connected(int max_quads) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,16 +32,37 @@ const char* const kCube = "q1:08a5df";
 const char* const kSpindle = "q1:088a577f";
 const char* const kPyramid = "q1:02228a2a5777df7f";
 
+const Prunings kNone{.face_budget = false,
+                     .links = false,
+                     .corner_budget = false,
+                     .ears = false,
+                     .candidates = false,
+                     .cover = false};
+
+/// None; each without the others; ears belong to the corner budget.
+std::vector<Prunings> each_alone() {
+  std::vector<Prunings> result(7, kNone);
+  result[1].face_budget = true;
+  result[2].links = true;
+  result[3].corner_budget = true;
+  result[4].corner_budget = result[4].ears = true;
+  result[5].candidates = true;
+  result[6].cover = true;
+  return result;
+}
+
+bool is_ball(const HexSearch& found) {
+  const auto mesh = hexes::complex_of(found.mesh());
+  return !complex::validate(mesh) && complex::shelling_of(mesh);
+}
+
 TEST(HexSearch, PruningsLoseNothing) {
   std::size_t meshes = 0;
   for (const Quadrangulation& boundary : three_connected(10)) {
     const auto limits = limits_for(boundary, 6);
     const auto all_on = search_all(boundary, limits);
     meshes += all_on.meshes.size();
-    for (const Prunings& prunings :
-         {Prunings{false, false, false, false}, Prunings{true, false, false, false},
-          Prunings{false, true, false, false}, Prunings{false, false, true, false},
-          Prunings{false, false, false, true}}) {
+    for (const Prunings& prunings : each_alone()) {
       const auto found = search_all(boundary, limits, prunings);
       EXPECT_EQ(found.meshes, all_on.meshes);
       EXPECT_EQ(found.counts.solutions, all_on.counts.solutions);
@@ -56,8 +78,43 @@ TEST(HexSearch, PruningsLoseNoneOfTheFillingsOfTheCube) {
     const auto found = search_all(cube, limits_for(cube, hexahedra));
     EXPECT_EQ(found.meshes.size(), 2U);
     EXPECT_EQ(found.counts.solutions, 2U);
-    EXPECT_EQ(search_all(cube, limits_for(cube, hexahedra), {false, false, false, false}).meshes,
-              found.meshes);
+    EXPECT_EQ(search_all(cube, limits_for(cube, hexahedra), kNone).meshes, found.meshes);
+  }
+}
+
+TEST(HexSearch, LosesNoBallWhereOnlyBallsAreAskedFor) {
+  for (const Quadrangulation& boundary : three_connected(10)) {
+    const int most = boundary.quads() == 6 ? 8 : 6;
+    const auto all = search_all(boundary, limits_for(boundary, most), kNone, is_ball);
+    for (const Prunings& prunings : each_alone())
+      EXPECT_EQ(search_all(boundary, limits_for(boundary, most, true), prunings, is_ball).meshes,
+                all.meshes);
+    EXPECT_EQ(search_all(boundary, limits_for(boundary, most, true), {}, is_ball).meshes,
+              all.meshes);
+  }
+}
+
+TEST(HexSearch, FindsAnImageOfEachMeshUpToSymmetry) {
+  for (const Quadrangulation& boundary : three_connected(10)) {
+    hexes::SearchLimits limits = limits_for(boundary, boundary.quads() == 6 ? 8 : 6);
+    const auto all = search_all(boundary, limits);
+    limits.up_to_symmetry = true;
+    HexSearch problem(boundary, limits);
+    const hexes::BoundarySymmetry symmetry(boundary, 0);
+    const auto boundary_vertices = static_cast<std::uint32_t>(boundary.vertices());
+    std::set<support::Mesh> images;
+    const auto result = search::explore(problem, {}, {}, [&](const HexSearch& found) {
+      for (const auto& map : symmetry.maps()) {
+        auto cells = hexes::complex_of(found.mesh()).hexahedra;
+        for (auto& cell : cells)
+          for (auto& v : cell)
+            if (v < boundary_vertices) v = map[v];
+        images.insert(support::named(cells, boundary_vertices));
+      }
+      return true;
+    });
+    EXPECT_LE(result.counts.nodes, all.counts.nodes);
+    EXPECT_EQ(images, all.meshes);
   }
 }
 
@@ -79,24 +136,23 @@ TEST(HexSearch, FindsBallsThatObeyTheLaws) {
 struct Signature {
   const char* code = nullptr;
   int hexahedra = 0;
-  bool bipartite = false;
+  bool ball = false;
   search::Counts counts;
 };
 
 TEST(HexSearch, HasTheNodesOfThisVersion) {
   for (const Signature& pinned : {
-           Signature{kCube, 7, true, {2, 72}},
-           Signature{kCube, 7, false, {2, 76}},
-           Signature{kSpindle, 14, true, {0, 6807}},
-           Signature{kSpindle, 14, false, {0, 7826}},
-           Signature{kPyramid, 9, true, {0, 18034}},
-           Signature{kPyramid, 9, false, {0, 27788}},
+           Signature{kCube, 7, true, {2, 70}},
+           Signature{kCube, 7, false, {2, 74}},
+           Signature{kSpindle, 14, true, {0, 4916}},
+           Signature{kSpindle, 14, false, {0, 8947}},
+           Signature{kPyramid, 9, true, {0, 7911}},
+           Signature{kPyramid, 9, false, {0, 18614}},
        }) {
     const Quadrangulation boundary = boundary_of(pinned.code);
-    const auto found =
-        search_all(boundary, limits_for(boundary, pinned.hexahedra, pinned.bipartite));
+    const auto found = search_all(boundary, limits_for(boundary, pinned.hexahedra, pinned.ball));
     EXPECT_EQ(found.counts.solutions, pinned.counts.solutions) << pinned.code;
-    EXPECT_EQ(found.counts.nodes, pinned.counts.nodes) << pinned.code << pinned.bipartite;
+    EXPECT_EQ(found.counts.nodes, pinned.counts.nodes) << pinned.code << pinned.ball;
   }
 }
 
@@ -132,9 +188,9 @@ TEST(HexSearch, MayBeCutIntoPieces) {
   }
 }
 
-TEST(HexSearch, UndoIsExact) {
+void expect_exact_undo(bool ball) {
   const Quadrangulation pyramid = boundary_of(kPyramid);
-  HexSearch problem(pyramid, limits_for(pyramid, 12));
+  HexSearch problem(pyramid, limits_for(pyramid, 12, ball));
   support::Random random(3);
   const auto choices = [&] {
     std::vector<int> result;
@@ -162,6 +218,11 @@ TEST(HexSearch, UndoIsExact) {
     EXPECT_EQ(problem.mesh().vertices(), pyramid.vertices());
   }
   EXPECT_GT(completed, 200);
+}
+
+TEST(HexSearch, UndoIsExact) {
+  expect_exact_undo(false);
+  expect_exact_undo(true);
 }
 
 }  // namespace

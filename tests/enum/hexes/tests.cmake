@@ -4,3 +4,8 @@ hexatlas_test(enum_hexes_search_test fast
 hexatlas_test(enum_hexes_brute_force_test long
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/brute_force_test.cpp
   USES enum_hexes enum_search enum_flips)
+hexatlas_test(enum_hexes_known_meshes_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/known_meshes_test.cpp
+  USES enum_hexes enum_search enum_flips tables_format)
+target_compile_definitions(enum_hexes_known_meshes_test PRIVATE
+  HEXATLAS_SHIPPED_TABLE="${PROJECT_SOURCE_DIR}/tables/data/hexatlas.hxt")
