@@ -4,6 +4,7 @@
 #include "enum/balls/polyhedra.hpp"
 #include "enum/balls/spheres.hpp"
 #include "enum/balls/triangulations.hpp"
+#include "enum/hexes/partial_mesh.hpp"
 
 namespace hexatlas::cli {
 namespace {
@@ -77,6 +78,63 @@ void add_quadrangulations(CLI::App& parent, Action& action) {
       [options, &action] { action = [options] { return enum_quadrangulations(*options); }; });
 }
 
+void add_hexmeshes(CLI::App& parent, Action& action) {
+  auto* command = parent.add_subcommand(
+      "hexmeshes", "All hexahedral meshes of a boundary, up to the symmetry of the boundary");
+  auto options = std::make_shared<EnumHexmeshesOptions>();
+  command
+      ->add_option("BOUNDARY", options->boundary,
+                   "Name (see `hexatlas table info`), canonical code, or a surface file of quads")
+      ->required();
+  command->add_option("--max-hexes", options->max_hexahedra, "At most so many hexahedra")
+      ->check(CLI::Range(1, hexes::kMaxHexahedra))
+      ->required();
+  command->add_option("--max-interior", options->max_interior, "At most so many interior vertices")
+      ->check(CLI::Range(0, hexes::kMaxMeshVertices));
+  command->add_flag("--ball", options->ball,
+                    "Balls only; otherwise any complex that obeys the strict rule");
+  command->add_flag("--first", options->first, "Stop at the first mesh");
+  auto* count = command->add_flag("--count")->description("Counts only; the default without -o");
+  auto* output = command
+                     ->add_option("-o,--output", options->output,
+                                  "List of the meshes to write, one JSON object per line, or - for "
+                                  "standard output")
+                     ->excludes(count);
+  auto* certificate =
+      command->add_option("--certificate", options->certificate,
+                          "Proof to write (.hxb) that there is none; the search is run for it");
+  auto* shard = command->add_option("--shard", options->shard,
+                                    "Part R of M as R/M, R from 0 on; counts and meshes add up");
+  shard->check([](const std::string& text) {
+    return shard_from(text) ? std::string() : "must be R/M with 0 <= R < M <= 1000000";
+  });
+  auto* state = command->add_option("--state", options->state,
+                                    "File to save the search in, and to go on from if it is there");
+  command->add_option("--save-every", options->save_every, "Seconds between saves")
+      ->check(CLI::Range(1, 86400))
+      ->capture_default_str()
+      ->needs(state);
+  auto* nodes = command
+                    ->add_option("--max-nodes", options->max_nodes,
+                                 "Stop after so many nodes; the counts then are lower bounds")
+                    ->check(CLI::PositiveNumber);
+  auto* estimate = command->add_option("--estimate", options->probes,
+                                       "Do not search: estimate the nodes by so many probes");
+  estimate->check(CLI::Range(2, 1000000000));
+  for (auto* other : {output, shard, state, nodes, certificate}) estimate->excludes(other);
+  for (auto* other : {output, shard, state, nodes}) certificate->excludes(other);
+  command->add_option("--seed", options->seed, "Of the estimate")->capture_default_str();
+  command->add_flag("--json", options->json, "Print one JSON object");
+  add_threads(*command, options->threads);
+  command->footer(
+      "Exit code 1 if a certificate is asked for and there is a mesh, 4 if the search did not "
+      "end.\n" +
+      example("hexatlas enum hexmeshes schneiders-pyramid --max-hexes 16 --ball "
+              "--certificate pyramid-16.hxb"));
+  command->callback(
+      [options, &action] { action = [options] { return enum_hexmeshes(*options); }; });
+}
+
 struct VerticesVerb {
   const char *name, *help, *footer;
   int least, greatest;
@@ -106,6 +164,7 @@ void add_enum(CLI::App& app, Action& action) {
   parent->require_subcommand(1);
   add_triangulations(*parent, action);
   add_quadrangulations(*parent, action);
+  add_hexmeshes(*parent, action);
   add_vertices_verb(*parent, action,
                     {"spheres", "Triangulated 3-spheres, by bistellar flips",
                      "Example:\n  hexatlas enum spheres --vertices 9\n", balls::kMinSphereVertices,

@@ -47,9 +47,9 @@ struct TableBuildOptions {
   std::string output;
   int max_quads = 20;
   std::vector<std::string> also;
-  std::string state;       ///< file to save the search in and go on from; may be empty
-  int save_every = 120;    ///< seconds
-  bool so_far = false;     ///< do not search: write what the saved search has found
+  std::string state;                    ///< file to save the search in and go on from; may be empty
+  int save_every = 120;                 ///< seconds
+  bool so_far = false;                  ///< do not search: write what the saved search has found
   std::vector<std::string> start_from;  ///< what a new search begins with: a saved one, tables
   build::SearchOptions search;
   int memory_gib = 16;
@@ -112,6 +112,25 @@ struct EnumQuadrangulationsOptions {
   int threads = 0;  ///< 0: all processors
 };
 [[nodiscard]] ExitCode enum_quadrangulations(const EnumQuadrangulationsOptions& options);
+
+struct EnumHexmeshesOptions {
+  std::string boundary;  ///< a name, a canonical code, or a surface file
+  int max_hexahedra = 0;
+  int max_interior = -1;  ///< -1: as many as so many hexahedra may have
+  bool ball = false;
+  bool first = false;       ///< stop at the first mesh
+  std::string output;       ///< one JSON object per line
+  std::string certificate;  ///< that there is none
+  std::string state;        ///< file to save the search in and go on from; may be empty
+  int save_every = 120;     ///< seconds
+  std::string shard;        ///< as for shard_from(); empty: the whole
+  std::uint64_t max_nodes = ~std::uint64_t{0};
+  std::uint64_t probes = 0;  ///< estimate the nodes instead of searching
+  std::uint64_t seed = 1;
+  bool json = false;
+  int threads = 0;  ///< 0: all processors
+};
+[[nodiscard]] ExitCode enum_hexmeshes(const EnumHexmeshesOptions& options);
 
 struct RealizeOptions {
   std::string input;  ///< a catalogue, CELL, or CELL:NUMBER

@@ -35,6 +35,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
   void update(const std::string& phase, std::size_t done, std::size_t total);
+  /// Whether anybody can see it.
+  [[nodiscard]] bool is_visible() const noexcept { return is_terminal_; }
 
  private:
   bool is_terminal_;

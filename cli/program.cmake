@@ -1,7 +1,7 @@
 # The program. CLI11 is costly to compile, so one file includes it, without optimization.
 add_executable(hexatlas
-  cli/cell_input.cpp cli/check.cpp cli/code.cpp cli/command_line.cpp cli/command_line_enum.cpp
-  cli/completeness.cpp cli/enum_lists.cpp cli/enum_quadrangulations.cpp cli/enum_triangulations.cpp cli/interrupt.cpp cli/long_work.cpp cli/main.cpp
+  cli/boundary_input.cpp cli/cell_input.cpp cli/check.cpp cli/code.cpp cli/command_line.cpp cli/command_line_enum.cpp
+  cli/completeness.cpp cli/enum_hexmeshes.cpp cli/enum_lists.cpp cli/enum_quadrangulations.cpp cli/enum_triangulations.cpp cli/interrupt.cpp cli/long_work.cpp cli/main.cpp
   cli/mesh_hex.cpp cli/output.cpp cli/realize.cpp cli/reproduce.cpp
   cli/table_build.cpp cli/table_by_quads.cpp cli/table_check.cpp cli/table_path.cpp cli/table_read.cpp)
 target_include_directories(hexatlas PRIVATE ${PROJECT_SOURCE_DIR})

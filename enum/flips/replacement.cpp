@@ -4,9 +4,12 @@
 
 #include "enum/cells/cube.hpp"
 #include "enum/core/checks.hpp"
+#include "enum/core/random.hpp"
 
 namespace hexatlas::flips {
 namespace {
+
+using core::Random;
 
 using complex::Hexahedron;
 using complex::HexComplex;
@@ -65,24 +68,6 @@ HexComplex exchanged(const HexComplex& mesh, const SubBall& ball, const Beam& ba
   append_ball(result, layers_along(balls, found.ball, Growth::outward), rim, found.is_mirrored);
   return result;
 }
-
-/// SplitMix64: Steele, Lea, Flood (OOPSLA 2014). Fast, and good enough to choose by.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  [[nodiscard]] std::uint64_t number() noexcept {
-    std::uint64_t z = state_ += 0x9E3779B97F4A7C15ULL;
-    z = (z ^ z >> 30U) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ z >> 27U) * 0x94D049BB133111EBULL;
-    return z ^ z >> 31U;
-  }
-  [[nodiscard]] std::size_t below(std::size_t n) noexcept {
-    return static_cast<std::size_t>(number() % n);
-  }
-
- private:
-  std::uint64_t state_;
-};
 
 /// Grows by one of the hexahedra that touch: of those with the most facets on the ball, which keep
 /// the boundary short, one at random; by another one if that is impossible.

@@ -6,21 +6,6 @@
 #include "enum/core/checks.hpp"
 
 namespace hexatlas::hexes {
-namespace {
-
-/// Each facet of a Cell as places in it, and the places above its corners.
-struct Turned {
-  std::array<std::uint8_t, 4> facet, above;
-};
-constexpr std::array<Turned, 6> kTurned{{{{0, 1, 2, 3}, {4, 5, 6, 7}},
-                                         {{4, 5, 6, 7}, {0, 1, 2, 3}},
-                                         {{0, 1, 5, 4}, {3, 2, 6, 7}},
-                                         {{1, 2, 6, 5}, {0, 3, 7, 4}},
-                                         {{2, 3, 7, 6}, {1, 0, 4, 5}},
-                                         {{3, 0, 4, 7}, {2, 1, 5, 6}}}};
-
-}  // namespace
-
 BoundarySymmetry::BoundarySymmetry(const complex::Quadrangulation& boundary, int first)
     : first_(first), boundary_vertices_(boundary.vertices()) {
   const auto vertices = static_cast<std::size_t>(boundary.vertices());
@@ -62,19 +47,14 @@ BoundarySymmetry::Type type_on_bottom(const Cell& cell, int boundary_vertices) n
 
 bool BoundarySymmetry::has_no_lesser_image(const Cell& cell, const PartialMesh& mesh,
                                            const Type& type) const noexcept {
-  for (const Turned& turned : kTurned) {
+  for (const TurnedFacet& turned : kTurnedFacets) {
     const int q = mesh.facet_at(cell[turned.facet[0]], cell[turned.facet[2]]);
     if (q < 0 || static_cast<std::size_t>(q) >= to_first_.size()) continue;
-    const Facet& quad = mesh.facet(q);
+    const Facet tops = tops_over(cell, mesh.facet(q));
     for (const ToFirst& to : to_first_[static_cast<std::size_t>(q)]) {
       Type image{};
-      for (std::size_t i = 0; i < 4; ++i) {
-        std::size_t corner = 0;
-        while (quad[corner] != cell[turned.facet[i]]) ++corner;
-        const Vertex top = cell[turned.above[i]];
-        image[to.corner[corner]] =
-            top < boundary_vertices_ ? maps_[to.map][top] : BoundarySymmetry::kInterior;
-      }
+      for (std::size_t i = 0; i < 4; ++i)
+        image[to.corner[i]] = tops[i] < boundary_vertices_ ? maps_[to.map][tops[i]] : kInterior;
       if (image < type) return false;
     }
   }

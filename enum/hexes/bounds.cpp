@@ -325,9 +325,9 @@ bool fit_one_hexahedron(const PartialMesh& mesh, const OpenFacets& open, std::si
   }
 }
 
-bool exceeds_cover_bound(const PartialMesh& mesh, const OpenFacets& open, int left) {
+std::vector<std::size_t> facets_apart(const PartialMesh& mesh, const OpenFacets& open, int left) {
   const std::size_t count = open.size();
-  if (count <= static_cast<std::size_t>(left) || count > 64) return false;
+  if (count <= static_cast<std::size_t>(left) || count > 64) return {};
   std::array<std::uint64_t, 64> apart{};
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = a + 1; b < count; ++b)
@@ -335,11 +335,12 @@ bool exceeds_cover_bound(const PartialMesh& mesh, const OpenFacets& open, int le
         apart[a] |= std::uint64_t{1} << b;
         apart[b] |= std::uint64_t{1} << a;
       }
+  std::vector<std::size_t> chosen;
   for (std::size_t first = 0; first < count; ++first) {
+    chosen.assign(1, first);
     std::uint64_t candidates = apart[first];
-    int size = 1;
-    while (candidates != 0) {
-      if (size + std::popcount(candidates) <= left) break;
+    while (static_cast<int>(chosen.size()) <= left &&
+           static_cast<int>(chosen.size()) + std::popcount(candidates) > left) {
       std::size_t best = 0;
       int most = -1;
       for (std::uint64_t rest = candidates; rest != 0; rest &= rest - 1) {
@@ -350,12 +351,12 @@ bool exceeds_cover_bound(const PartialMesh& mesh, const OpenFacets& open, int le
           best = v;
         }
       }
-      ++size;
+      chosen.push_back(best);
       candidates &= apart[best];
     }
-    if (size > left) return true;
+    if (static_cast<int>(chosen.size()) > left) return chosen;
   }
-  return false;
+  return {};
 }
 
 }  // namespace hexatlas::hexes

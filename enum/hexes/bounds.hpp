@@ -74,7 +74,9 @@ inline constexpr std::size_t kCounted = 10;
 [[nodiscard]] bool fit_one_hexahedron(const PartialMesh& mesh, const OpenFacets& open,
                                       std::size_t a, std::size_t b);
 
-/// Whether more than `left` open facets, found greedily, cannot be of one hexahedron pairwise.
-[[nodiscard]] bool exceeds_cover_bound(const PartialMesh& mesh, const OpenFacets& open, int left);
+/// Places of more than `left` open facets, found greedily, no two of which may be of one
+/// hexahedron; empty if none were found.
+[[nodiscard]] std::vector<std::size_t> facets_apart(const PartialMesh& mesh, const OpenFacets& open,
+                                                    int left);
 
 }  // namespace hexatlas::hexes

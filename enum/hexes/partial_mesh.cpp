@@ -11,6 +11,21 @@ constexpr std::array<std::array<std::uint8_t, 4>, 5> kOtherFacets{
 
 }  // namespace
 
+Facet tops_over(const Cell& cell, const Facet& facet) noexcept {
+  Facet tops{};
+  for (const TurnedFacet& turned : kTurnedFacets) {
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t k = 0; k < 4; ++k)
+        if (cell[turned.facet[k]] == facet[i]) {
+          tops[i] = cell[turned.above[k]];
+          ++found;
+        }
+    if (found == 4) break;
+  }
+  return tops;
+}
+
 PartialMesh::PartialMesh(const complex::Quadrangulation& boundary, int max_vertices, bool ball)
     : boundary_vertices_(boundary.vertices()), max_vertices_(max_vertices), ball_(ball) {
   core::expects(boundary.is_three_connected(), "the boundary is 3-connected");

@@ -24,7 +24,7 @@ using Vertex = std::uint8_t;
 using VertexSet = std::uint64_t;
 
 inline constexpr int kMaxMeshVertices = 64;  ///< boundary vertices included: one word per set
-inline constexpr int kMaxHexahedra = 48;
+inline constexpr int kMaxHexahedra = 64;
 inline constexpr int kMaxFacets = complex::kMaxQuads + 5 * kMaxHexahedra;
 
 [[nodiscard]] constexpr VertexSet bit(std::size_t v) noexcept { return VertexSet{1} << v; }
@@ -33,6 +33,19 @@ inline constexpr int kMaxFacets = complex::kMaxQuads + 5 * kMaxHexahedra;
 using Facet = std::array<Vertex, 4>;
 /// Bottom vertices b0 .. b3 around a facet, then the top vertices t0 .. t3 above them.
 using Cell = std::array<Vertex, 8>;
+
+/// A facet of a Cell as places in it, and the places above its corners.
+struct TurnedFacet {
+  std::array<std::uint8_t, 4> facet, above;
+};
+inline constexpr std::array<TurnedFacet, 6> kTurnedFacets{{{{0, 1, 2, 3}, {4, 5, 6, 7}},
+                                                           {{4, 5, 6, 7}, {0, 1, 2, 3}},
+                                                           {{0, 1, 5, 4}, {3, 2, 6, 7}},
+                                                           {{1, 2, 6, 5}, {0, 3, 7, 4}},
+                                                           {{2, 3, 7, 6}, {1, 0, 4, 5}},
+                                                           {{3, 0, 4, 7}, {2, 1, 5, 6}}}};
+/// The vertices of a cell above the corners of one of its facets, given in any order around it.
+[[nodiscard]] Facet tops_over(const Cell& cell, const Facet& facet) noexcept;
 
 /// A set of facets, by number.
 class FacetSet {

@@ -17,38 +17,52 @@ HexSearch::HexSearch(const complex::Quadrangulation& boundary, const SearchLimit
       prunings_(prunings),
       mesh_(boundary, boundary.vertices() + limits.max_interior, limits.ball) {
   core::expects(limits.max_hexahedra >= 0 && limits.max_hexahedra <= kMaxHexahedra,
-                "a search has at most 48 hexahedra");
+                "a search has at most 64 hexahedra");
   if (!open_level()) levels_.push_back({});
   if (limits.up_to_symmetry && first_quad() >= 0) symmetry_.emplace(boundary, first_quad());
 }
 
 /// By the last hexahedron alone.
-bool HexSearch::is_refuted_by_last() const noexcept {
+bool HexSearch::is_refuted_by_last() {
   if (mesh_.cells().empty()) return false;
-  if (limits_.ball && prunings_.links && closes_badly(mesh_)) return true;
-  return symmetry_ && !symmetry_->has_no_lesser_image(
-                          mesh_.cells().back(), mesh_,
-                          type_on_bottom(mesh_.cells().front(), mesh_.boundary_vertices()));
+  if (limits_.ball && prunings_.links && closes_badly(mesh_)) return refute(Refutation::Rule::link);
+  return symmetry_ &&
+         !symmetry_->has_no_lesser_image(
+             mesh_.cells().back(), mesh_,
+             type_on_bottom(mesh_.cells().front(), mesh_.boundary_vertices())) &&
+         refute(Refutation::Rule::symmetry);
+}
+
+/// Requires open facets. Otherwise says how many vertices the next hexahedron may bring.
+bool HexSearch::is_refuted_by_budgets(int left, Level& level) {
+  if ((prunings_.face_budget || left == 0) && exceeds_face_budget(mesh_, left))
+    return refute(Refutation::Rule::face_budget);
+  open_.list(mesh_);
+  level.new_vertices = mesh_.vertices_left();
+  if (!prunings_.corner_budget) return false;
+  const int within = new_vertices_within(mesh_, open_, left, prunings_.ears);
+  level.new_vertices = std::min(level.new_vertices, within);
+  return within < 0 && refute(Refutation::Rule::corner_budget);
 }
 
 /// Chooses where the next hexahedron goes. False if no mesh within the limits follows.
 bool HexSearch::open_level() {
-  const int left = limits_.max_hexahedra - static_cast<int>(mesh_.cells().size());
   if (is_refuted_by_last()) return false;
   Level level;
   if (mesh_.open_count() > 0) {
-    if (left == 0) return false;
-    if (prunings_.face_budget && exceeds_face_budget(mesh_, left)) return false;
-    open_.list(mesh_);
-    level.new_vertices = mesh_.vertices_left();
-    if (prunings_.corner_budget) {
-      const int within = new_vertices_within(mesh_, open_, left, prunings_.ears);
-      if (within < 0) return false;
-      level.new_vertices = std::min(level.new_vertices, within);
-    }
+    const int left = limits_.max_hexahedra - static_cast<int>(mesh_.cells().size());
+    if (is_refuted_by_budgets(left, level)) return false;
     const Tightest next = tightest(mesh_, open_, level.new_vertices);
-    if (prunings_.candidates && next.is_refuted) return false;
-    if (prunings_.cover && exceeds_cover_bound(mesh_, open_, left)) return false;
+    if (prunings_.candidates && next.is_refuted) {
+      refutation_.facet = next.facet;
+      refute(Refutation::Rule::no_candidate);
+      return false;
+    }
+    if (prunings_.cover) refutation_.places = facets_apart(mesh_, open_, left);
+    if (prunings_.cover && !refutation_.places.empty()) {
+      refute(Refutation::Rule::facets_apart);
+      return false;
+    }
     level.bottom = next.facet;
     mesh_.begin(level.bottom);
   }
@@ -65,7 +79,10 @@ HexSearch::Choices HexSearch::choices() const noexcept {
 }
 
 bool HexSearch::apply(Choice choice) {
-  if (!mesh_.put(choice.top)) return false;
+  if (!mesh_.put(choice.top)) {
+    refute(Refutation::Rule::tops);
+    return false;
+  }
   if (mesh_.has_begun() || open_level()) return true;
   mesh_.take_off();
   return false;

@@ -37,7 +37,23 @@ struct Prunings {
   bool corner_budget = true;  ///< new_vertices_within()
   bool ears = true;           ///< its ears
   bool candidates = true;     ///< Tightest::is_refuted
-  bool cover = true;          ///< exceeds_cover_bound()
+  bool cover = true;          ///< facets_apart()
+};
+
+/// Why no mesh within the limits follows from a state (docs/formats/bound.md).
+struct Refutation {
+  enum class Rule : std::uint8_t {
+    tops,           ///< it is no state: pairs of vertices bar the top vertex
+    face_budget,    ///< exceeds_face_budget()
+    corner_budget,  ///< new_vertices_within()
+    link,           ///< closes_badly()
+    symmetry,       ///< BoundarySymmetry
+    facets_apart,   ///< facets_apart()
+    no_candidate    ///< tightest()
+  };
+  Rule rule = Rule::tops;
+  int facet = -1;                   ///< of no_candidate
+  std::vector<std::size_t> places;  ///< of facets_apart, among the open facets
 };
 
 struct SearchLimits {
@@ -97,6 +113,8 @@ class HexSearch {
   void undo() noexcept;
 
   [[nodiscard]] const PartialMesh& mesh() const noexcept { return mesh_; }
+  /// Why the last apply() was refused, or the initial state has no choices.
+  [[nodiscard]] const Refutation& refutation() const noexcept { return refutation_; }
   /// The quad on which the search begins, or -1 if the limits refute at once.
   [[nodiscard]] int first_quad() const noexcept { return levels_.front().bottom; }
 
@@ -107,7 +125,12 @@ class HexSearch {
   };
 
   [[nodiscard]] bool open_level();
-  [[nodiscard]] bool is_refuted_by_last() const noexcept;
+  [[nodiscard]] bool is_refuted_by_last();
+  [[nodiscard]] bool is_refuted_by_budgets(int left, Level& level);
+  bool refute(Refutation::Rule rule) {
+    refutation_.rule = rule;
+    return true;
+  }
 
   SearchLimits limits_;
   Prunings prunings_;
@@ -115,6 +138,7 @@ class HexSearch {
   std::optional<BoundarySymmetry> symmetry_;
   std::vector<Level> levels_;
   OpenFacets open_;
+  Refutation refutation_;
 };
 
 /// The complex of a complete state, boundary vertices first. Each hexahedron is right-handed if the

@@ -117,7 +117,7 @@ void expect_refuted_nowhere(const PartialMesh& mesh, int left, int new_vertices)
     ASSERT_GE(new_vertices_within(mesh, open, left, ears), new_vertices);
   PartialMesh copy = mesh;
   ASSERT_FALSE(tightest(copy, open, new_vertices).is_refuted);
-  ASSERT_FALSE(exceeds_cover_bound(mesh, open, left));
+  ASSERT_TRUE(facets_apart(mesh, open, left).empty());
 }
 
 void expect_refuted_in_no_order(const Entry& known, bool ball, support::Random& random) {

@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// A boundary named on the command line, or read from a surface file.
+
+#include <string>
+
+#include "enum/complex/quadrangulation.hpp"
+
+namespace hexatlas::cli {
+
+struct NamedBoundary {
+  std::string code;                     ///< canonical
+  complex::Quadrangulation boundary{};  ///< in canonical labels
+};
+
+/// A name of build::kNamedBoundaries, a canonical code, or a surface file of quads. Throws
+/// InvalidInput: none of these, not canonical, more than 64 quads, not 3-connected or odd, so that
+/// there is no mesh.
+[[nodiscard]] NamedBoundary boundary_from(const std::string& name_code_or_file);
+
+}  // namespace hexatlas::cli

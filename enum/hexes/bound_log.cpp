@@ -1,0 +1,145 @@
+#include "enum/hexes/bound_log.hpp"
+
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "enum/parallel/parallel_for.hpp"
+#include "enum/search/depth_first.hpp"
+
+namespace hexatlas::hexes {
+namespace {
+
+using Root = search::Root<HexSearch::Choice>;
+
+/// Writes the records below a state, or stops at a depth and lists what it left out.
+class Writer {
+ public:
+  Writer(const complex::Quadrangulation& boundary, const SearchLimits& limits,
+         const std::atomic<bool>* stop)
+      : search_(boundary, limits), stop_(stop) {}
+
+  /// The states with `depth` hexahedra are left out: segments() are the bytes between them.
+  void write_top(std::size_t depth) {
+    depth_ = depth;
+    if (search_.first_quad() >= 0)
+      state();
+    else
+      refutation();
+    segments_.push_back(std::move(bytes_));
+  }
+  /// All records below a state that was left out.
+  void write_below(const Root& root) {
+    for (const HexSearch::Choice choice : root) (void)search_.apply(choice);
+    depth_ = kMaxHexahedra + 1;
+    state();
+    for (std::size_t i = 0; i < root.size(); ++i) search_.undo();
+  }
+
+  [[nodiscard]] std::vector<Root>& left_out() { return left_out_; }
+  [[nodiscard]] std::vector<std::string>& segments() { return segments_; }
+  [[nodiscard]] std::string& bytes() { return bytes_; }
+  [[nodiscard]] std::uint64_t records() const { return records_; }
+  [[nodiscard]] bool is_stopped() const { return is_stopped_; }
+  [[nodiscard]] bool has_found() const { return has_found_; }
+
+ private:
+  void byte(std::size_t value) { bytes_.push_back(static_cast<char>(value)); }
+
+  std::size_t place_of(int facet) const {
+    std::size_t place = 0;
+    search_.mesh().open().for_each([&](int other) { place += other < facet ? 1U : 0U; });
+    return place;
+  }
+
+  void branch(int facet) {
+    ++records_;
+    byte(0);
+    byte(place_of(facet));
+  }
+
+  void state() {
+    is_stopped_ = is_stopped_ || (stop_ != nullptr && stop_->load(std::memory_order_relaxed));
+    has_found_ = has_found_ || search_.is_complete();
+    if (is_stopped_ || has_found_) return;
+    if (search_.mesh().cells().size() == depth_) {
+      left_out_.push_back(path_);
+      segments_.push_back(std::exchange(bytes_, {}));
+      return;
+    }
+    branch(search_.mesh().bottom());
+    children();
+  }
+
+  void children() {
+    for (const HexSearch::Choice choice : search_.choices()) {
+      path_.push_back(choice);
+      if (!search_.apply(choice)) {
+        refutation();
+      } else {
+        if (search_.mesh().has_just_completed())
+          state();
+        else
+          children();
+        search_.undo();
+      }
+      path_.pop_back();
+    }
+  }
+
+  void refutation() {
+    using Rule = Refutation::Rule;
+    const Refutation& why = search_.refutation();
+    if (why.rule == Rule::tops) return;
+    if (why.rule == Rule::no_candidate) {
+      branch(why.facet);
+      return;
+    }
+    ++records_;
+    byte(static_cast<std::size_t>(why.rule));
+    if (why.rule == Rule::facets_apart)
+      for (const std::size_t place : why.places) byte(place);
+  }
+
+  HexSearch search_;
+  const std::atomic<bool>* stop_;
+  std::size_t depth_ = 0;
+  Root path_;
+  std::string bytes_;
+  std::uint64_t records_ = 0;
+  std::vector<Root> left_out_;
+  std::vector<std::string> segments_;
+  bool is_stopped_ = false, has_found_ = false;
+};
+
+}  // namespace
+
+BoundLog bound_log(const complex::Quadrangulation& boundary, const SearchLimits& limits,
+                   const BoundLogOptions& options) {
+  constexpr std::size_t kDepth = 2;  // hexahedra: some hundreds of parts
+  Writer top(boundary, limits, options.stop);
+  top.write_top(kDepth);
+  const std::vector<Root>& roots = top.left_out();
+  BoundLog log;
+  log.records = top.records();
+  log.has_found_a_mesh = top.has_found();
+  log.is_complete = !top.is_stopped() && !top.has_found();
+  std::vector<std::string> parts(roots.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  parallel::parallel_for(options.threads, roots.size(), [&](std::size_t i) {
+    Writer part(boundary, limits, options.stop);
+    part.write_below(roots[i]);
+    parts[i] = std::move(part.bytes());
+    const std::lock_guard lock(mutex);
+    log.records += part.records();
+    log.has_found_a_mesh = log.has_found_a_mesh || part.has_found();
+    log.is_complete = log.is_complete && !part.is_stopped() && !part.has_found();
+    if (options.progress) options.progress(++done, roots.size());
+  });
+  log.bytes = std::move(top.segments().front());
+  for (std::size_t i = 0; i < parts.size(); ++i) log.bytes += parts[i] + top.segments()[i + 1];
+  return log;
+}
+
+}  // namespace hexatlas::hexes

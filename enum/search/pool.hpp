@@ -1,0 +1,144 @@
+#pragma once
+/// \file
+/// A backtracking search on several threads that can be stopped, saved and gone on with.
+///
+/// What is left of a search is a list of roots (depth_first.hpp). It is worked off in rounds: the
+/// first kRoots of them each get a slice of nodes, what they leave takes their places. The rounds
+/// depend on the list alone, so the results do not depend on the number of threads, nor on where
+/// the search was stopped and resumed, but for the order in which solutions are listed.
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "enum/parallel/parallel_for.hpp"
+#include "enum/search/depth_first.hpp"
+
+namespace hexatlas::search {
+
+/// What is done of a search, and what is left.
+template <class Choice, class Found>
+struct Frontier {
+  Counts counts;
+  std::vector<Found> found;
+  std::vector<Root<Choice>> pending{Root<Choice>{}};  ///< the next one last
+
+  [[nodiscard]] bool is_finished() const noexcept { return pending.empty(); }
+};
+
+struct PoolOptions {
+  int threads = 1;
+  /// Nodes in this call, at most.
+  std::uint64_t max_nodes = std::numeric_limits<std::uint64_t>::max();
+  /// Set to true by another thread or a signal handler to stop early; may be null.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+inline constexpr std::size_t kRoots = 64;           ///< of a round
+inline constexpr std::uint64_t kSlice = 50'000;     ///< nodes of a root in a round: some 25 ms
+inline constexpr std::uint64_t kFirstSlice = 1000;  ///< while there are fewer roots
+
+namespace detail {
+
+template <class Choice, class Found>
+struct Slot {
+  Root<Choice> root;
+  Exploration<Choice> result;
+  std::vector<Found> found;
+};
+
+/// The roots of the next round, and the nodes that each gets; none if `left` is 0.
+template <class Choice, class Found>
+std::vector<Slot<Choice, Found>> take_round(std::vector<Root<Choice>>& pending, std::uint64_t left,
+                                            Budget& budget) {
+  const auto count =
+      static_cast<std::size_t>(std::min<std::uint64_t>(std::min(kRoots, pending.size()), left));
+  if (count == 0) return {};
+  budget.nodes = std::min(pending.size() < kRoots ? kFirstSlice : kSlice, left / count);
+  std::vector<Slot<Choice, Found>> round(count);
+  for (Slot<Choice, Found>& slot : round) {
+    slot.root = std::move(pending.back());
+    pending.pop_back();
+  }
+  return round;
+}
+
+}  // namespace detail
+
+/// Goes on with a search until it is finished, stopped, out of nodes, or `after_round`, which may
+/// save the frontier, says false. make() gives a problem in its initial state; collect(problem),
+/// for each solution, what is to be kept of it, if anything. Both are called by several threads at
+/// once. Cost: nothing worth mentioning beside the search, if a problem is made in less than a
+/// millisecond. An exception of theirs ends the call; the frontier then is useless.
+template <class Found, class Make, class Collect, class Choice>
+void explore_pending(Frontier<Choice, Found>& frontier, const PoolOptions& options, Make&& make,
+                     Collect&& collect, const std::function<bool()>& after_round) {
+  const auto is_stopped = [&] {
+    return options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
+  };
+  std::uint64_t left = options.max_nodes;
+  while (!frontier.is_finished() && !is_stopped()) {
+    Budget budget;
+    auto round = detail::take_round<Choice, Found>(frontier.pending, left, budget);
+    if (round.empty()) return;
+    parallel::parallel_for(options.threads, round.size(), [&](std::size_t i) {
+      auto& slot = round[i];
+      auto problem = make();
+      slot.result = explore(problem, slot.root, budget, [&](const auto& solution) {
+        if (std::optional<Found> kept = collect(solution)) slot.found.push_back(std::move(*kept));
+        return true;
+      });
+    });
+    for (auto slot = round.rbegin(); slot != round.rend(); ++slot)
+      std::move(slot->result.unexplored.rbegin(), slot->result.unexplored.rend(),
+                std::back_inserter(frontier.pending));
+    for (auto& slot : round) {
+      frontier.counts += slot.result.counts;
+      left -= slot.result.counts.nodes;
+      std::move(slot.found.begin(), slot.found.end(), std::back_inserter(frontier.found));
+    }
+    if (after_round && !after_round()) return;
+  }
+}
+
+/// Part `index` of `parts` of a new search: the counts and solutions of all parts add up to those
+/// of the whole. The top of the tree, which is the same for all, belongs to part 0. Requires 0 <=
+/// index < parts.
+template <class Found, class Make, class Collect>
+auto shard(std::size_t index, std::size_t parts, Make&& make, Collect&& collect) {
+  auto problem = make();
+  using Choice = typename decltype(problem)::Choice;
+  Frontier<Choice, Found> result;
+  if (parts == 1) return result;
+  constexpr std::size_t kRootsEach = 50;  // so that the parts are about alike
+  Exploration<Choice> top;
+  std::size_t before = 0;
+  for (std::size_t depth = 1;
+       depth == 1 || (top.unexplored.size() > before && top.unexplored.size() < kRootsEach * parts);
+       ++depth) {
+    before = top.unexplored.size();
+    result.found.clear();
+    top = explore(problem, {}, {.depth = depth}, [&](const auto& solution) {
+      if (std::optional<Found> kept = collect(solution)) result.found.push_back(std::move(*kept));
+      return true;
+    });
+  }
+  if (index == 0)
+    result.counts = top.counts;
+  else
+    result.found.clear();
+  result.pending.clear();
+  for (std::size_t i = 0; i < top.unexplored.size(); ++i)
+    if (i % parts == index) result.pending.push_back(std::move(top.unexplored[i]));
+  std::reverse(result.pending.begin(), result.pending.end());
+  return result;
+}
+
+}  // namespace hexatlas::search
