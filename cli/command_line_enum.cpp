@@ -111,7 +111,7 @@ void add_hexmeshes(CLI::App& parent, Action& action) {
   auto* state = command->add_option("--state", options->state,
                                     "File to save the search in, and to go on from if it is there");
   command->add_option("--save-every", options->save_every, "Seconds between saves")
-      ->check(CLI::Range(1, 86400))
+      ->check(CLI::Range(0, 86400))
       ->capture_default_str()
       ->needs(state);
   auto* nodes = command

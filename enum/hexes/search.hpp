@@ -15,7 +15,8 @@
 /// max_interior interior vertices, each component of which (by facets) has a facet on the boundary,
 /// that obey the strict rule and whose facets in one hexahedron are the quads of the boundary.
 /// Each is met once, with its interior vertices numbered by first appearance. They need not be
-/// balls. With `bipartite`: those of them whose edges join two colours, as those of all balls do.
+/// balls. With `ball` all balls are met, and others perhaps; with `up_to_symmetry` at least one of
+/// the images of each.
 
 #include <cstddef>
 #include <cstdint>

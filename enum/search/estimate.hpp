@@ -65,11 +65,11 @@ double probe(P& problem, const Root<typename P::Choice>& root, core::Random& ran
 template <class Make>
 [[nodiscard]] Estimate estimate_nodes(Make&& make, std::uint64_t probes, std::uint64_t seed,
                                       int threads) {
-  constexpr std::size_t kRoots = 2000;
+  constexpr std::size_t kTopRoots = 2000;
   auto problem = make();
   const auto go_on = [](const auto&) { return true; };
   auto top = explore(problem, {}, {.depth = 1}, go_on);
-  for (std::size_t depth = 2; !top.unexplored.empty() && top.unexplored.size() < kRoots; ++depth)
+  for (std::size_t depth = 2; !top.unexplored.empty() && top.unexplored.size() < kTopRoots; ++depth)
     top = explore(problem, {}, {.depth = depth}, go_on);
   const auto exact = static_cast<double>(top.counts.nodes);
   if (top.unexplored.empty()) return {.nodes = exact, .is_exact = true};

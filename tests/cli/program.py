@@ -23,6 +23,13 @@ def made_by(*arguments):
         return made
 
 
+def catches(process, number):
+    """Whether the program has its handler of this signal by now."""
+    with open(f"/proc/{process.pid}/status", encoding="utf-8") as file:
+        caught = re.search(r"^SigCgt:\s*([0-9a-f]+)$", file.read(), re.MULTILINE)
+    return int(caught.group(1), 16) >> (number - 1) & 1 == 1
+
+
 class Ran:
     def __init__(self, code, out, err):
         self.code, self.out, self.err = code, out, err

@@ -6,7 +6,6 @@ Oracle. The search that nobody interrupted: its table and, at its end, its saved
 """
 import os
 import random
-import re
 import signal
 import subprocess
 import time
@@ -19,13 +18,6 @@ OPTIONS = (*TARGETS, "--width", "50", "--max-hexahedra", "12", "--rounds", "2", 
 ENDLESS = (*TARGETS, "--width", "200", "--max-hexahedra", "72", "--rounds", "1000")  # many minutes
 SAVED = ("--state", "s.state", "--save-every", "0")
 FOUND_ALL_OR_NOT = (0, 4)
-
-
-def catches(process, number):
-    """Whether the program has its handler of this signal by now."""
-    with open(f"/proc/{process.pid}/status", encoding="utf-8") as file:
-        caught = re.search(r"^SigCgt:\s*([0-9a-f]+)$", file.read(), re.MULTILINE)
-    return int(caught.group(1), 16) >> (number - 1) & 1 == 1
 
 
 class SearchState(program.ProgramTest):
@@ -71,7 +63,7 @@ class SearchState(program.ProgramTest):
             with self.subTest(stop=stop):
                 name = f"{stop.name}.state"
                 with self.start("a.hxt", "--state", name, search=ENDLESS) as search:
-                    while search.poll() is None and not catches(search, stop):
+                    while search.poll() is None and not program.catches(search, stop):
                         time.sleep(0.01)
                     time.sleep(0.1)
                     search.send_signal(stop)

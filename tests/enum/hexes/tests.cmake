@@ -9,3 +9,6 @@ hexatlas_test(enum_hexes_known_meshes_test fast
   USES enum_hexes enum_search enum_flips tables_format)
 target_compile_definitions(enum_hexes_known_meshes_test PRIVATE
   HEXATLAS_SHIPPED_TABLE="${PROJECT_SOURCE_DIR}/tables/data/hexatlas.hxt")
+hexatlas_test(enum_hexes_hexmeshes_test fast threads
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/hexmeshes_test.cpp
+  USES enum_hexes enum_search enum_flips tables_build)
