@@ -288,15 +288,15 @@ Tightest tightest(PartialMesh& mesh, const OpenFacets& open, int new_vertices) {
   const std::size_t counted = std::min(kCounted, open.size());
   std::partial_sort(order.begin(), order.begin() + counted, order.begin() + open.size());
   Tightest result;
-  int fewest = std::numeric_limits<int>::max();
-  for (std::size_t i = 0; i < counted && fewest > 0; ++i) {
+  int least = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < counted && least > 0; ++i) {
     const int facet = open.number(order[i].place);
-    const int count = mesh.hexahedra_on(facet, new_vertices, fewest);
-    if (count >= fewest) continue;
-    fewest = count;
+    const int weight = mesh.weight_on(facet, new_vertices, least);
+    if (weight >= least) continue;
+    least = weight;
     result.facet = facet;
   }
-  result.is_refuted = fewest == 0;
+  result.is_refuted = least == 0;
   return result;
 }
 

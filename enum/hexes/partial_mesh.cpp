@@ -124,35 +124,36 @@ VertexSet PartialMesh::next_tops() const noexcept {
   return vertices_left() > 0 ? result | bit(static_cast<std::size_t>(vertices_)) : result;
 }
 
-int PartialMesh::hexahedra_on(int facet_number, int new_vertices, int limit) noexcept {
+int PartialMesh::weight_on(int facet_number, int new_vertices, int limit) noexcept {
   begin(facet_number);
   const Facet& b = facet(facet_number);
-  const int count =
-      count_tops(0, {above(b, 0), above(b, 1), above(b, 2), above(b, 3)}, new_vertices, limit);
+  const int weight = weight_of_tops(0, {above(b, 0), above(b, 1), above(b, 2), above(b, 3)},
+                                    {.vertices = new_vertices, .each = kHexahedronWeight}, limit);
   bottom_ = -1;
-  return count;
+  return weight;
 }
 
-int PartialMesh::count_tops(std::size_t i, const Tops& tops, int new_vertices, int limit) noexcept {
-  int count = 0;
-  const auto go_on = [&](Vertex top, VertexSet not_edge, VertexSet not_diagonal, int new_left) {
+int PartialMesh::weight_of_tops(std::size_t i, const Tops& tops, NewTops left, int limit) noexcept {
+  int weight = 0;
+  const auto go_on = [&](Vertex top, VertexSet not_edge, VertexSet not_diagonal, NewTops then) {
     top_[i] = top;
     if (!facets_fit(i, top)) return;
     if (i == 3) {
-      ++count;
+      weight += then.each;
       return;
     }
     Tops rest = tops;
     for (std::size_t j = i + 1; j < 4; ++j) rest[j] &= ~((j - i) == 2 ? not_diagonal : not_edge);
-    count += count_tops(i + 1, rest, new_left, limit - count);
+    weight += weight_of_tops(i + 1, rest, then, limit - weight);
   };
-  for (VertexSet left = tops[i]; left != 0 && count < limit; left &= left - 1) {
-    const auto top = static_cast<Vertex>(std::countr_zero(left));
-    go_on(top, no_edge_from(top), not_diagonal_[top], new_vertices);
+  for (VertexSet old = tops[i]; old != 0 && weight < limit; old &= old - 1) {
+    const auto top = static_cast<Vertex>(std::countr_zero(old));
+    go_on(top, no_edge_from(top), not_diagonal_[top], left);
   }
-  if (new_vertices > 0 && count < limit)
-    go_on(static_cast<Vertex>(vertices_ + new_vertices - 1), 0, 0, new_vertices - 1);
-  return count;
+  if (left.vertices > 0 && weight < limit)
+    go_on(static_cast<Vertex>(vertices_ + left.vertices - 1), 0, 0,
+          {.vertices = left.vertices - 1, .each = left.each / 2});
+  return weight;
 }
 
 /// If there is a facet with the diagonal, it is open, has `between` next to it, and `opposite`

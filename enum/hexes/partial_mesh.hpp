@@ -25,6 +25,7 @@ using VertexSet = std::uint64_t;
 
 inline constexpr int kMaxMeshVertices = 64;  ///< boundary vertices included: one word per set
 inline constexpr int kMaxHexahedra = 64;
+inline constexpr int kHexahedronWeight = 16;
 inline constexpr int kMaxFacets = complex::kMaxQuads + 5 * kMaxHexahedra;
 
 [[nodiscard]] constexpr VertexSet bit(std::size_t v) noexcept { return VertexSet{1} << v; }
@@ -135,9 +136,10 @@ class PartialMesh {
   /// The vertices that may be the next top vertex, as far as pairs tell; vertices() stands for a
   /// new one. Requires a hexahedron begun.
   [[nodiscard]] VertexSet next_tops() const noexcept;
-  /// How many hexahedra may be put on an open facet, at most `limit`, with at most `new_vertices`
-  /// new ones: as many as sequences of put(). Requires that none is begun.
-  [[nodiscard]] int hexahedra_on(int facet, int new_vertices, int limit) noexcept;
+  /// The hexahedra that may be put on an open facet, with at most `new_vertices` new ones, which
+  /// are the sequences of put(): the sum of kHexahedronWeight, halved for each new vertex, over
+  /// them, or something not less than `limit`. Requires that none is begun.
+  [[nodiscard]] int weight_on(int facet, int new_vertices, int limit) noexcept;
   /// Puts the next top vertex there; with the fourth one the hexahedron is complete, and none is
   /// begun. False, and nothing changed, if the strict rule is broken. Requires an element of
   /// next_tops().
@@ -164,8 +166,12 @@ class PartialMesh {
 
   /// Vertices there are that may be at each corner of the top.
   using Tops = std::array<VertexSet, 4>;
-  [[nodiscard]] int count_tops(std::size_t i, const Tops& tops, int new_vertices,
-                               int limit) noexcept;
+  struct NewTops {
+    int vertices = 0;  ///< that may still come
+    int each = 0;      ///< weight of a hexahedron without more of them
+  };
+  [[nodiscard]] int weight_of_tops(std::size_t i, const Tops& tops, NewTops left,
+                                   int limit) noexcept;
   [[nodiscard]] bool side_fits(const Facet& b, std::size_t i, std::size_t j) const noexcept;
   [[nodiscard]] bool diagonal_fits(std::size_t from, std::size_t to, Vertex between,
                                    int opposite) const noexcept;

@@ -144,10 +144,10 @@ TEST(HexSearch, HasTheNodesOfThisVersion) {
   for (const Signature& pinned : {
            Signature{kCube, 7, true, {2, 70}},
            Signature{kCube, 7, false, {2, 74}},
-           Signature{kSpindle, 14, true, {0, 4916}},
-           Signature{kSpindle, 14, false, {0, 8947}},
-           Signature{kPyramid, 9, true, {0, 7911}},
-           Signature{kPyramid, 9, false, {0, 18614}},
+           Signature{kSpindle, 14, true, {0, 3316}},
+           Signature{kSpindle, 14, false, {0, 5970}},
+           Signature{kPyramid, 9, true, {0, 7907}},
+           Signature{kPyramid, 9, false, {0, 17637}},
        }) {
     const Quadrangulation boundary = boundary_of(pinned.code);
     const auto found = search_all(boundary, limits_for(boundary, pinned.hexahedra, pinned.ball));
