@@ -5,6 +5,7 @@
 #include "enum/balls/spheres.hpp"
 #include "enum/balls/triangulations.hpp"
 #include "enum/hexes/partial_mesh.hpp"
+#include "enum/hexes/small_ball.hpp"
 
 namespace hexatlas::cli {
 namespace {
@@ -135,6 +136,29 @@ void add_hexmeshes(CLI::App& parent, Action& action) {
       [options, &action] { action = [options] { return enum_hexmeshes(*options); }; });
 }
 
+void add_shellings(CLI::App& parent, Action& action) {
+  auto* command = parent.add_subcommand(
+      "shellings", "Shellable hexahedral balls, one of each pair of mirror images");
+  auto options = std::make_shared<EnumShellingsOptions>();
+  command
+      ->add_option("--hexes", options->hexahedra, "Number of hexahedra; counts come for less, too")
+      ->check(CLI::Range(1, hexes::kMaxBallHexahedra))
+      ->required();
+  command->add_option("-o,--output", options->output,
+                      "List of the balls with this number to write, or - for standard output");
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->add_option("--memory", options->memory_gib, "GiB that the lists may take, about")
+      ->check(CLI::Range(1, 4096))
+      ->capture_default_str();
+  add_threads(*command, options->threads);
+  command->footer(
+      "Exit code 4 if the search was stopped; the numbers printed are exact all the same. 5 if "
+      "the lists need more memory.\n" +
+      example("hexatlas enum shellings --hexes 7 -o shellings7.txt"));
+  command->callback(
+      [options, &action] { action = [options] { return enum_shellings(*options); }; });
+}
+
 struct VerticesVerb {
   const char *name, *help, *footer;
   int least, greatest;
@@ -165,6 +189,7 @@ void add_enum(CLI::App& app, Action& action) {
   add_triangulations(*parent, action);
   add_quadrangulations(*parent, action);
   add_hexmeshes(*parent, action);
+  add_shellings(*parent, action);
   add_vertices_verb(*parent, action,
                     {"spheres", "Triangulated 3-spheres, by bistellar flips",
                      "Example:\n  hexatlas enum spheres --vertices 9\n", balls::kMinSphereVertices,

@@ -132,6 +132,15 @@ struct EnumHexmeshesOptions {
 };
 [[nodiscard]] ExitCode enum_hexmeshes(const EnumHexmeshesOptions& options);
 
+struct EnumShellingsOptions {
+  int hexahedra = 1;
+  std::string output;
+  bool json = false;
+  int memory_gib = 8;
+  int threads = 0;  ///< 0: all processors
+};
+[[nodiscard]] ExitCode enum_shellings(const EnumShellingsOptions& options);
+
 struct RealizeOptions {
   std::string input;  ///< a catalogue, CELL, or CELL:NUMBER
   std::string output;

@@ -12,3 +12,16 @@ target_compile_definitions(enum_hexes_known_meshes_test PRIVATE
 hexatlas_test(enum_hexes_hexmeshes_test fast threads
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/hexmeshes_test.cpp
   USES enum_hexes enum_search enum_flips tables_build)
+
+set(known_counts
+  HEXATLAS_KNOWN_COUNTS="${CMAKE_CURRENT_LIST_DIR}/../../counts/known_counts.tsv")
+hexatlas_test(enum_hexes_shellings_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/shellings_test.cpp
+  USES enum_hexes enum_search enum_quads enum_canon_nauty enum_flips)
+target_compile_definitions(enum_hexes_shellings_test PRIVATE ${known_counts}
+  HEXATLAS_MOST_HEXAHEDRA=5)
+hexatlas_test(enum_hexes_shellings_long_test long
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/shellings_test.cpp
+  USES enum_hexes enum_search enum_quads enum_canon_nauty enum_flips)
+target_compile_definitions(enum_hexes_shellings_long_test PRIVATE ${known_counts}
+  HEXATLAS_MOST_HEXAHEDRA=7)
