@@ -7,6 +7,7 @@
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "enum/core/errors.hpp"
+#include "tables/check/bound.hpp"
 #include "tables/check/catalogue.hpp"
 #include "tables/check/completeness.hpp"
 #include "tables/check/file_bytes.hpp"
@@ -128,12 +129,50 @@ ExitCode check_one_catalogue(const CheckOptions& options, std::string_view bytes
   return completeness && !completeness->complete ? ExitCode::no : exit_code(verdict);
 }
 
+std::string json_line(const check::BoundVerdict& verdict) {
+  nlohmann::ordered_json json;
+  json["accepted"] = verdict.accepted;
+  json["reason"] = verdict.fault;
+  json["boundary"] = verdict.code;
+  json["kind"] = verdict.is_ball ? "ball" : "any";
+  json["hexahedra"] = verdict.hexahedra;
+  json["interior"] = verdict.interior;
+  json["any_interior"] = verdict.any_interior;
+  json["records"] = verdict.records;
+  return to_line(json);
+}
+
+std::string sentence(const std::string& file, const check::BoundVerdict& verdict) {
+  if (!verdict.accepted) return fmt::format("{}: rejected: {}\n", file, verdict.fault);
+  const std::string interior =
+      verdict.any_interior ? "any number of interior vertices"
+                           : "at most " + counted(static_cast<std::size_t>(verdict.interior),
+                                                  "interior vertex", "interior vertices");
+  return fmt::format(
+      "{}: accepted: {} has no {} of at most {} ({}); {}\n", file, verdict.code,
+      verdict.is_ball ? "ball" : "mesh",
+      counted(static_cast<std::size_t>(verdict.hexahedra), "hexahedron", "hexahedra"), interior,
+      counted(verdict.records, "record", "records"));
+}
+
+ExitCode check_one_bound(const CheckOptions& options, std::string_view bytes) {
+  if (!options.boundary.empty() || !options.completeness.empty()) {
+    say("--boundary is for meshes, --completeness for catalogues; " + options.mesh +
+        " is a certificate of a lower bound");
+    return ExitCode::usage;
+  }
+  const check::BoundVerdict verdict = check::check_bound_bytes(bytes, options.mesh);
+  print(options.json ? json_line(verdict) : sentence(options.mesh, verdict));
+  return verdict.accepted ? ExitCode::yes : ExitCode::no;
+}
+
 }  // namespace
 
 ExitCode check(const CheckOptions& options) {
   try {
-    // A catalogue is told by its first words, whatever its name; a mesh by its name.
+    // A catalogue or certificate is told by its first words, whatever its name; a mesh by its name.
     const std::string bytes = check::bytes_of_file(options.mesh);
+    if (check::is_bound(bytes)) return check_one_bound(options, bytes);
     if (check::is_catalogue(bytes)) return check_one_catalogue(options, bytes);
     if (!options.completeness.empty()) {
       say("--completeness is for catalogues; " + options.mesh + " is none");

@@ -120,9 +120,12 @@ void add_mesh(CLI::App& app, Action& action) {
 void add_check(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "check",
-      "Judge a hexahedral mesh or a catalogue of triangulations; shares no code with their makers");
+      "Judge a hexahedral mesh, a catalogue of triangulations or a certificate of a lower bound; "
+      "shares no code with their makers");
   auto options = std::make_shared<CheckOptions>();
-  command->add_option("FILE", options->mesh, "Mesh (.vtu .vtk .mesh .msh) or catalogue (.hxc)")
+  command
+      ->add_option("FILE", options->mesh,
+                   "Mesh (.vtu .vtk .mesh .msh), catalogue (.hxc) or certificate (.hxb)")
       ->required();
   command->add_option("--boundary", options->boundary,
                       "Quad surface that the mesh must have as its boundary");

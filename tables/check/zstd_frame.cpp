@@ -41,4 +41,19 @@ bool unpack_frame(std::string_view stored, std::uint64_t most, std::string& byte
   return in.pos == in.size;
 }
 
+std::string start_of_frame(std::string_view stored, std::size_t most) {
+  const std::unique_ptr<ZSTD_DCtx, FreeContext> context(ZSTD_createDCtx());
+  if (!context) throw std::bad_alloc();
+  std::string bytes(most, '\0');
+  ZSTD_inBuffer in{stored.data(), stored.size(), 0};
+  ZSTD_outBuffer out{bytes.data(), bytes.size(), 0};
+  for (std::size_t left = 1; left != 0 && out.pos < most;) {
+    const std::size_t done = in.pos + out.pos;
+    left = ZSTD_decompressStream(context.get(), &out, &in);
+    if (ZSTD_isError(left) != 0 || in.pos + out.pos == done) break;
+  }
+  bytes.resize(out.pos);
+  return bytes;
+}
+
 }  // namespace hexatlas::check

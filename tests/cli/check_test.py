@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Claim. `check` accepts a mesh with its boundary, says no (exit 1) to each damage that leaves the
-file well formed, and exit 3 to files that are not.
-Oracle. The damage is put in here: two cubes on one another, written out by hand.
+file well formed, and exit 3 to files that are not. The same for certificates of lower bounds.
+Oracle. The damage is put in here: two cubes on one another, written out by hand; certificates of one
+record, the face budget: 8 quads, one hexahedron has 6.
 """
 import json
 import os
+import struct
 
 import program
 import surfaces
@@ -29,6 +31,15 @@ def vtk(points, cells, kind="12"):
             f"POINTS {len(points)} double\n" + "".join(" ".join(p) + "\n" for p in points) +
             f"CELLS {len(cells)} {sum(len(c) + 1 for c in cells)}\n{rows}"
             f"CELL_TYPES {len(cells)}\n" + f"{kind}\n" * len(cells))
+
+
+def certificate(hexahedra=1, interior=0, kind="ball", log=b"\x01"):
+    """That the octagonal spindle has no mesh, in a Zstandard frame of one raw block."""
+    quads = "".join(f"{i} {(i + 1) % 8} {(i + 2) % 8} {8 + i % 2}\n" for i in range(8))
+    text = (f"hexatlas-bound 1\nboundary q1:088a577f\nquads 8\n{quads}kind {kind}\n"
+            f"hexahedra {hexahedra}\ninterior {interior}\nsymmetry no\nlog {len(log)}\n").encode() + log
+    return (b"\x28\xb5\x2f\xfd\xa0" + struct.pack("<I", len(text)) +
+            struct.pack("<I", len(text) << 3 | 1)[:3] + text)
 
 
 class Check(program.ProgramTest):
@@ -132,6 +143,42 @@ class Check(program.ProgramTest):
                 with self.subTest(format=key, content=content):
                     self.expect_fault(
                         self.hexatlas("check", "mesh.vtk", "--boundary", name), name)
+
+    def write_bytes(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content)
+
+    def test_certificate(self):
+        self.write_bytes("spindle.hxb", certificate())
+        ran = self.expect(0, self.hexatlas("check", "spindle.hxb"))
+        self.assertEqual(ran.out, "spindle.hxb: accepted: q1:088a577f has no ball of at most "
+                                  "1 hexahedron (any number of interior vertices); 1 record\n")
+        self.write_bytes("named.vtk", certificate(kind="any"))
+        said = json.loads(self.expect(0, self.hexatlas("check", "named.vtk", "--json")).out)
+        self.assertEqual(said, {
+            "accepted": True, "reason": "", "boundary": "q1:088a577f", "kind": "any",
+            "hexahedra": 1, "interior": 0, "any_interior": True, "records": 1})
+        # Branch on the first quad: without new vertices there is no hexahedron on it.
+        self.write_bytes("few.hxb", certificate(3, log=b"\0\0"))
+        ran = self.expect(0, self.hexatlas("check", "few.hxb"))
+        self.assertIn("3 hexahedra (at most 0 interior vertices); 1 record", ran.out)
+
+    def test_certificate_rejected(self):
+        for bad in (certificate(2), certificate(log=b"\x02\x01"), certificate(log=b""),
+                    certificate(log=b"\x01\x01"), certificate(log=b"\x09")):
+            self.write_bytes("bad.hxb", bad)
+            ran = self.expect(1, self.hexatlas("check", "bad.hxb"))
+            self.assertRegex(ran.out, r"\Abad\.hxb: rejected: [^\n]+\n\Z")
+            said = json.loads(self.expect(1, self.hexatlas("check", "bad.hxb", "--json")).out)
+            self.assertFalse(said["accepted"])
+            self.assertIn(said["reason"], ran.out)
+        good = certificate()
+        for bad in (good[:-1], good + b"x", certificate(65), certificate(kind="sphere")):
+            self.write_bytes("bad.hxb", bad)
+            self.expect_fault(self.hexatlas("check", "bad.hxb"), "bad.hxb")
+        self.write_bytes("good.hxb", good)
+        for option in ("--boundary", "--completeness"):
+            self.assertEqual(self.hexatlas("check", "good.hxb", option, "good.obj").code, 2)
 
     def test_files_that_are_no_files(self):
         os.mkdir(self.path("folder.vtk"))

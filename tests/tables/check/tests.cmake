@@ -65,6 +65,22 @@ hexatlas_test(sabotage_table_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/table_sabotage_test.cpp
   USES tables_check)
 
+hexatlas_test(tables_check_bound_rules_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/bound_rules_test.cpp
+  USES tables_check tables_format)
+target_compile_definitions(tables_check_bound_rules_test PRIVATE
+  HEXATLAS_SHIPPED_TABLE="${PROJECT_SOURCE_DIR}/tables/data/hexatlas.hxt")
+foreach(case fast:1200 long:6000)
+  string(REPLACE ":" ";" case ${case})
+  list(GET case 0 label)
+  list(GET case 1 rounds)
+  set(name sabotage_bound_${label}_test)
+  hexatlas_test(${name} ${label}
+    SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/bound_sabotage_test.cpp
+    USES tables_check)
+  target_compile_definitions(${name} PRIVATE HEXATLAS_ROUNDS=${rounds})
+endforeach()
+
 add_executable(sabotage_code_tool ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/code_tool.cpp)
 target_link_libraries(sabotage_code_tool PRIVATE tables_check)
 hexatlas_script_test(sabotage.reference_code fast Python3::Interpreter
