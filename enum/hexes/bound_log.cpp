@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "enum/core/checks.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "enum/search/depth_first.hpp"
 
@@ -44,7 +45,10 @@ class Writer {
   [[nodiscard]] bool has_found() const { return has_found_; }
 
  private:
-  void byte(std::size_t value) { bytes_.push_back(static_cast<char>(value)); }
+  void byte(std::size_t value) {
+    core::ensures(value < 256, "a place fits into a byte");
+    bytes_.push_back(static_cast<char>(value));
+  }
 
   std::size_t place_of(int facet) const {
     std::size_t place = 0;
@@ -52,10 +56,10 @@ class Writer {
     return place;
   }
 
-  void branch(int facet) {
+  void branch(std::size_t place) {
     ++records_;
     byte(0);
-    byte(place_of(facet));
+    byte(place);
   }
 
   void state() {
@@ -67,7 +71,7 @@ class Writer {
       segments_.push_back(std::exchange(bytes_, {}));
       return;
     }
-    branch(search_.mesh().bottom());
+    branch(place_of(search_.mesh().bottom()));
     children();
   }
 
@@ -92,7 +96,7 @@ class Writer {
     const Refutation& why = search_.refutation();
     if (why.rule == Rule::tops) return;
     if (why.rule == Rule::no_candidate) {
-      branch(why.facet);
+      branch(why.places.front());
       return;
     }
     ++records_;

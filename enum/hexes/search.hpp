@@ -53,8 +53,9 @@ struct Refutation {
     no_candidate    ///< tightest()
   };
   Rule rule = Rule::tops;
-  int facet = -1;                   ///< of no_candidate
-  std::vector<std::size_t> places;  ///< of facets_apart, among the open facets
+  /// Among the open facets of the state, by ascending number: of facets_apart; the facet of
+  /// no_candidate.
+  std::vector<std::size_t> places{};
 };
 
 struct SearchLimits {
