@@ -465,6 +465,13 @@ class SlowState {
   std::vector<int> colour_;
 };
 
+/// What a search wrote of one state and all below it, and the rules 1 .. 4 that refute it.
+struct SlowVisit {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  IntSet rules = {};
+};
+
 /// What a search or a judge keeps besides the state.
 class SlowBound {
  public:
@@ -483,12 +490,16 @@ class SlowBound {
     random_.seed(seed);
     most_ = most;
     hexes_.clear();
+    visits_.clear();
     text_.log.clear();
     if (!search_state()) return std::nullopt;
     return text_.log;
   }
   /// How often each record was written.
   [[nodiscard]] const std::map<int, int>& used() const { return used_; }
+
+  /// The states, in the order of their records.
+  [[nodiscard]] const std::vector<SlowVisit>& visits() const { return visits_; }
 
   /// Whether there is a mesh within the limits, by trying everything on the first open facet; what
   /// is cut off has more open facets than the hexahedra to come have facets. For kind `any`.
@@ -606,13 +617,21 @@ class SlowBound {
     if (state.room(left()) < 0) records.emplace_back("\2");
     if (state.bad_link()) records.emplace_back("\3");
     if (less_by_symmetry()) records.emplace_back("\4");
+    const std::size_t own = visits_.size();
+    visits_.push_back({text_.log.size(), 0});
+    for (const std::string& record : records) visits_[own].rules.insert(record[0]);
     const std::string apart = facets_apart(state);
     if (!apart.empty()) records.push_back(apart);
-    if (records.empty()) return search_children(state);
-    const std::string& taken = records[random_() % records.size()];
-    ++used_[taken[0]];
-    text_.log += taken;
-    return true;
+    bool refuted = true;
+    if (records.empty()) {
+      refuted = search_children(state);
+    } else {
+      const std::string& taken = records[random_() % records.size()];
+      ++used_[taken[0]];
+      text_.log += taken;
+    }
+    visits_[own].end = text_.log.size();
+    return refuted;
   }
 
   std::string facets_apart(const SlowState& state) {
@@ -661,6 +680,7 @@ class SlowBound {
   std::size_t most_ = 0;
   std::mt19937_64 random_;
   std::map<int, int> used_;
+  std::vector<SlowVisit> visits_;
 };
 
 }  // namespace hexatlas::sabotage

@@ -222,6 +222,28 @@ TEST(BoundSabotage, ChangedLogsAreJudgedAsByTheSlowReading) {
   EXPECT_GT(refused, HEXATLAS_ROUNDS / 3);
 }
 
+/// What a log says of one state and all below it, replaced by each other record.
+TEST(BoundSabotage, AStateIsRefutedByTheRulesThatHold) {
+  std::size_t held = 0;
+  std::size_t failed = 0;
+  for (const BoundText& sample : samples()) {
+    SlowBound search(sample);
+    BoundText text = sample;
+    const std::string log = search.search(11, kMostLog).value();
+    for (const SlowVisit& visit : search.visits()) {
+      for (int rule = 1; rule <= 4; ++rule) {
+        text.log = log;
+        text.log.replace(visit.begin, visit.end - visit.begin, 1, static_cast<char>(rule));
+        const bool holds = visit.rules.contains(rule);
+        ASSERT_EQ(is_accepted(text), holds) << "rule " << rule << " at " << visit.begin;
+        ++(holds ? held : failed);
+      }
+    }
+  }
+  EXPECT_GT(held, 500U);
+  EXPECT_GT(failed, 500U);
+}
+
 TEST(BoundSabotage, NoPartAndNoContinuationOfALogIsAccepted) {
   for (const BoundText& text : samples()) {
     BoundText changed = text;
