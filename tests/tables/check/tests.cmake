@@ -81,6 +81,10 @@ foreach(case fast:1200 long:6000)
   target_compile_definitions(${name} PRIVATE HEXATLAS_ROUNDS=${rounds})
 endforeach()
 
+hexatlas_test(sabotage_bound_certificates_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/bound_certificates_test.cpp
+  USES tables_check tables_build enum_hexes enum_canon)
+
 add_executable(sabotage_code_tool ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/code_tool.cpp)
 target_link_libraries(sabotage_code_tool PRIVATE tables_check)
 hexatlas_script_test(sabotage.reference_code fast Python3::Interpreter
