@@ -50,7 +50,7 @@ class Writer {
     bytes_.push_back(static_cast<char>(value));
   }
 
-  std::size_t place_of(int facet) const {
+  [[nodiscard]] std::size_t place_of(int facet) const {
     std::size_t place = 0;
     search_.mesh().open().for_each([&](int other) { place += other < facet ? 1U : 0U; });
     return place;

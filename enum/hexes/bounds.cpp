@@ -160,7 +160,7 @@ class Ears {
   using Ear = std::array<std::uint16_t, 2>;
   struct List {
     int count = 0;
-    std::array<Ear, kKept> ears;
+    std::array<Ear, kKept> ears{};
   };
 
   static std::size_t place(int i) { return static_cast<std::size_t>(i); }

@@ -184,8 +184,8 @@ class PartialMesh {
   [[nodiscard]] VertexSet no_edge_from(Vertex v) const noexcept {
     return ball_ ? not_edge_[v] | closed_edge_[v] : not_edge_[v];
   }
-  void open(int facet) noexcept;
-  void close(int facet) noexcept;
+  void open(int number) noexcept;
+  void close(int number) noexcept;
   void add_vertex(Vertex v, unsigned colour) noexcept;
   void remove_vertex(Vertex v) noexcept;
 

@@ -86,6 +86,12 @@ class Lines {
   int line_ = 0;
 };
 
+void expect(Lines& lines, const std::string& word, const std::string& value) {
+  const std::string_view saved = lines.after(word);
+  if (saved != value)
+    lines.fail("a search with " + word + " " + std::string(saved) + ", not " + value);
+}
+
 std::string line_of(const hexes::Hexmesh& found) {
   std::string text = "mesh " + std::to_string(found.mesh.vertices) + " " +
                      std::to_string(found.automorphisms) + " " +
@@ -131,7 +137,8 @@ bool is_node(hexes::HexSearch& search, const search::Root<hexes::HexSearch::Choi
 std::string to_text(const HexmeshTask& task, const hexes::HexFrontier& frontier) {
   std::string text(kFirstLine);
   text += '\n';
-  for (const auto& [word, value] : header_of(task)) text += word + " " + value + "\n";
+  for (const auto& [word, value] : header_of(task))
+    text.append(word).append(" ").append(value).append("\n");
   text += "nodes " + std::to_string(frontier.counts.nodes) + "\n";
   text += "met " + std::to_string(frontier.counts.solutions) + "\n";
   text += "meshes " + std::to_string(frontier.found.size()) + "\n";
@@ -153,9 +160,7 @@ hexes::HexFrontier frontier_from(std::string_view text, const HexmeshTask& task,
   const std::size_t end = text.rfind("sha256 ");
   if (end == std::string_view::npos || digest_line(text.substr(0, end)) != text.substr(end))
     throw core::InvalidInput(name, "a saved search that is damaged");
-  for (const auto& [word, value] : header_of(task))
-    if (const std::string_view saved = lines.after(word); saved != value)
-      lines.fail("a search with " + word + " " + std::string(saved) + ", not " + value);
+  for (const auto& [word, value] : header_of(task)) expect(lines, word, value);
   hexes::HexFrontier frontier;
   frontier.counts.nodes = lines.number_after("nodes");
   frontier.counts.solutions = lines.number_after("met");
