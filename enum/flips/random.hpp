@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Random choices of searches: the same everywhere for a seed.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace hexatlas::flips {
+
+/// SplitMix64: Steele, Lea, Flood (OOPSLA 2014). Fast, and good enough to choose by.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  [[nodiscard]] std::uint64_t number() noexcept {
+    std::uint64_t z = state_ += 0x9E3779B97F4A7C15ULL;
+    z = (z ^ z >> 30U) * 0xBF58476D1CE4E5B9ULL;
+    z = (z ^ z >> 27U) * 0x94D049BB133111EBULL;
+    return z ^ z >> 31U;
+  }
+  [[nodiscard]] std::size_t below(std::size_t n) noexcept {
+    return static_cast<std::size_t>(number() % n);
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace hexatlas::flips
