@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "enum/quads/generate.hpp"
+#include "meshing/simplify/simplify.hpp"
 #include "tables/build/search.hpp"
 
 namespace hexatlas::cli {
@@ -31,6 +32,14 @@ struct MeshHexOptions {
 };
 [[nodiscard]] ExitCode mesh_hex(const MeshHexOptions& options);
 
+struct SimplifyOptions {
+  std::string input, output, table;
+  bool without_table = false;
+  bool json = false;
+  simplify::Options search;
+};
+[[nodiscard]] ExitCode simplify_mesh(const SimplifyOptions& options);
+
 struct CheckOptions {
   std::string mesh, boundary, completeness;
   bool json = false;
@@ -47,9 +56,9 @@ struct TableBuildOptions {
   std::string output;
   int max_quads = 20;
   std::vector<std::string> also;
-  std::string state;       ///< file to save the search in and go on from; may be empty
-  int save_every = 120;    ///< seconds
-  bool so_far = false;     ///< do not search: write what the saved search has found
+  std::string state;                    ///< file to save the search in and go on from; may be empty
+  int save_every = 120;                 ///< seconds
+  bool so_far = false;                  ///< do not search: write what the saved search has found
   std::vector<std::string> start_from;  ///< what a new search begins with: a saved one, tables
   build::SearchOptions search;
   int memory_gib = 16;
