@@ -87,36 +87,6 @@ ExitCode wrong_usage(const CLI::App& app, const std::vector<std::string>& words,
   return ExitCode::usage;
 }
 
-/// The number that the whole word is. CLI11's own conversion would take "010" for eight.
-std::uint64_t seed_from(const std::string& word) {
-  std::uint64_t seed = 0;
-  const char* const last = word.data() + word.size();
-  const auto [end, error] = std::from_chars(word.data(), last, seed);
-  if (error != std::errc{} || end != last)
-    throw CLI::ValidationError("--seed", "`" + word + "` is no integer from 0 to 2^64 - 1");
-  return seed;
-}
-
-void add_mesh(CLI::App& app, Action& action) {
-  auto* mesh = app.add_subcommand("mesh", "Make meshes");
-  mesh->require_subcommand(1);
-  auto* hex = mesh->add_subcommand("hex", "Hexahedral mesh of a ball given by its quad surface");
-  auto options = std::make_shared<MeshHexOptions>();
-  hex->add_option("INPUT", options->input,
-                  "Quad surface: .obj .off .vtk .vtu .mesh .msh, or - for standard input")
-      ->required();
-  hex->add_option("-o,--output", options->output,
-                  "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)")
-      ->required();
-  hex->add_option("--table", options->table, "Table of meshes [the one beside the program]");
-  hex->add_flag("--json", options->json, "Print one JSON object");
-  hex->add_flag("--require-valid", options->require_valid,
-                "Exit with 4 unless every hexahedron is proven valid");
-  hex->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
-              example("hexatlas mesh hex pyramid.obj -o pyramid.vtu"));
-  hex->callback([options, &action] { action = [options] { return mesh_hex(*options); }; });
-}
-
 void add_check(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "check",
@@ -257,13 +227,7 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
   effort("--collared", search.collared, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round for which collars are grown, those with the largest meshes");
   effort("--memory", options->memory_gib, 1, 4096, "GiB that the balls may take, about");
-  build
-      ->add_option_function<std::string>(
-          "--seed",
-          [options](const std::string& word) { options->search.balls.seed = seed_from(word); },
-          "Seed of the search")
-      ->type_name("UINT")
-      ->default_str(std::to_string(search.balls.seed));
+  add_seed(*build, search.balls.seed);
   add_threads(*build, options->threads);
   build->footer(
       example("hexatlas table build -o my.hxt --max-quads 14 --width 20000 --state my.state"));
@@ -277,6 +241,18 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
 
 }  // namespace
 
+void add_seed(CLI::App& command, std::uint64_t& seed) {
+  const auto read = [&seed](const std::string& word) {
+    const char* const last = word.data() + word.size();
+    const auto [end, error] = std::from_chars(word.data(), last, seed);
+    if (error != std::errc{} || end != last)
+      throw CLI::ValidationError("--seed", "`" + word + "` is no integer from 0 to 2^64 - 1");
+  };
+  command.add_option_function<std::string>("--seed", read, "Seed of the search")
+      ->type_name("UINT")
+      ->default_str(std::to_string(seed));
+}
+
 ExitCode run_command_line(int argc, char** argv) {
   CLI::App app{"hexatlas: exact combinatorial enumeration in mesh generation", "hexatlas"};
   app.set_version_flag("--version", "hexatlas " + version());
@@ -285,6 +261,7 @@ ExitCode run_command_line(int argc, char** argv) {
       "Examples:\n"
       "  hexatlas mesh hex pyramid.obj -o pyramid.vtu     mesh a quadrangulated ball\n"
       "  hexatlas check pyramid.vtu --boundary pyramid.obj\n"
+      "  hexatlas simplify large.vtu -o small.vtu          fewer hexahedra, the same boundary\n"
       "  hexatlas table info\n"
       "  hexatlas enum triangulations hexahedron          the 174 subdivisions of the cube\n"
       "  hexatlas realize hexahedron -o hexahedron.hxc    coordinates and refutations\n"
@@ -295,6 +272,7 @@ ExitCode run_command_line(int argc, char** argv) {
   for (const std::string& word : words) command_line += " " + word;
   Action action;
   add_mesh(app, action);
+  add_simplify(app, action);
   add_check(app, action);
   add_code(app, action);
   add_table(app, action, command_line);

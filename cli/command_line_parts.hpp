@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -24,6 +25,11 @@ inline void add_threads(CLI::App& command, int& threads) {
       ->check(CLI::Range(1, 1024));
 }
 
+/// The option --seed. CLI11's own conversion of a word would take "010" for eight.
+void add_seed(CLI::App& command, std::uint64_t& seed);
+
+void add_mesh(CLI::App& app, Action& action);
+void add_simplify(CLI::App& app, Action& action);
 void add_enum(CLI::App& app, Action& action);
 void add_realize(CLI::App& app, Action& action);
 void add_reproduce(CLI::App& app, Action& action);

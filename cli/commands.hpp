@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "enum/quads/generate.hpp"
+#include "meshing/simplify/simplify.hpp"
 #include "tables/build/search.hpp"
 
 namespace hexatlas::cli {
@@ -30,6 +31,14 @@ struct MeshHexOptions {
   bool require_valid = false;
 };
 [[nodiscard]] ExitCode mesh_hex(const MeshHexOptions& options);
+
+struct SimplifyOptions {
+  std::string input, output, table;
+  bool without_table = false;
+  bool json = false;
+  simplify::Options search;
+};
+[[nodiscard]] ExitCode simplify_mesh(const SimplifyOptions& options);
 
 struct CheckOptions {
   std::string mesh, boundary, completeness;

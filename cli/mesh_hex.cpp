@@ -1,12 +1,9 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "cli/commands.hpp"
+#include "cli/mesh_output.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
 #include "enum/core/errors.hpp"
@@ -59,26 +56,10 @@ std::string summary(std::size_t quads, const hexahedrize::Hexahedrized& made,
 /// Whatever the table says, a mesh is written only if the judge accepts it.
 void expect_accepted(const mesh::HexMesh& mesh, const mesh::SurfaceMesh& surface,
                      const std::string& table) {
-  const auto point = [](const mesh::Point& p) { return check::Point{p.x, p.y, p.z}; };
-  check::Mesh judged;
-  std::transform(mesh.points.begin(), mesh.points.end(), std::back_inserter(judged.points), point);
-  for (const auto& h : mesh.hexahedra)  // bottom and top quads, cyclically
-    judged.hexahedra.push_back({h[0], h[1], h[3], h[2], h[4], h[5], h[7], h[6]});
-  check::Surface boundary;
-  std::transform(surface.points.begin(), surface.points.end(), std::back_inserter(boundary.points),
-                 point);
-  boundary.quads.assign(surface.quads.begin(), surface.quads.end());
-  const check::Verdict verdict = check::check_mesh(judged, &boundary);
+  const check::Surface boundary = for_judge(surface);
+  const check::Verdict verdict = check::check_mesh(for_judge(mesh), &boundary);
   if (!verdict.accepted)
     throw core::InvalidInput(table, "holds a mesh that is not valid: " + verdict.reason);
-}
-
-/// With the mesh on standard output, words about it go to standard error.
-void tell(const MeshHexOptions& options, const std::string& text) {
-  if (options.output == "-")
-    say_text(text);
-  else
-    print(text);
 }
 
 /// Why there is no mesh: a sentence, and with --json an object that holds it. An empty code is one
@@ -94,24 +75,15 @@ void tell_without_mesh(const MeshHexOptions& options, const std::string& name,
   json["reason"] = reason;
   json["code"] = nullptr;
   if (!code.empty()) json["code"] = code;
-  tell(options, to_line(json));
-}
-
-/// The output would take the place of the input.
-bool is_same_file(const std::string& input, const std::string& output) {
-  if (input == "-" || output == "-") return false;
-  std::error_code error;  // a file that is not there is told by who opens it
-  return std::filesystem::is_regular_file(input, error) &&
-         std::filesystem::equivalent(input, output, error);
+  tell(options.output, to_line(json));
 }
 
 ExitCode deliver(const MeshHexOptions& options, std::size_t quads,
                  const hexahedrize::Hexahedrized& made, double start) {
-  io::write_hexahedra(options.output, made.mesh,
-                      options.output == "-" ? std::optional(io::FileFormat::vtk) : std::nullopt);
+  write_mesh(options.output, made.mesh);
   const quality::Report report = quality::report(made.mesh);
-  tell(options, options.json ? json_line(quads, made, report, seconds() - start)
-                             : summary(quads, made, report, options.output));
+  tell(options.output, options.json ? json_line(quads, made, report, seconds() - start)
+                                    : summary(quads, made, report, options.output));
   if (!options.require_valid || report.valid == report.hexahedra) return ExitCode::yes;
   say(fmt::format("{} not proven valid, of {}; the mesh was written all the same",
                   counted(report.hexahedra - report.valid, "hexahedron is", "hexahedra are"),

@@ -1,13 +1,15 @@
 # The program. CLI11 is costly to compile, so one file includes it, without optimization.
 add_executable(hexatlas
-  cli/boundary_input.cpp cli/cell_input.cpp cli/check.cpp cli/code.cpp cli/command_line.cpp cli/command_line_enum.cpp
-  cli/completeness.cpp cli/enum_hexmeshes.cpp cli/enum_lists.cpp cli/enum_quadrangulations.cpp cli/enum_shellings.cpp cli/enum_triangulations.cpp cli/interrupt.cpp cli/long_work.cpp cli/main.cpp
-  cli/mesh_hex.cpp cli/output.cpp cli/realize.cpp cli/reproduce.cpp
-  cli/table_build.cpp cli/table_by_quads.cpp cli/table_check.cpp cli/table_path.cpp cli/table_read.cpp)
+  cli/boundary_input.cpp cli/cell_input.cpp cli/check.cpp cli/code.cpp cli/command_line.cpp
+  cli/command_line_enum.cpp cli/command_line_mesh.cpp cli/completeness.cpp cli/enum_hexmeshes.cpp
+  cli/enum_lists.cpp cli/enum_quadrangulations.cpp cli/enum_shellings.cpp cli/enum_triangulations.cpp
+  cli/interrupt.cpp cli/long_work.cpp cli/main.cpp cli/mesh_hex.cpp cli/mesh_output.cpp cli/output.cpp
+  cli/realize.cpp cli/reproduce.cpp cli/simplify.cpp cli/table_build.cpp cli/table_by_quads.cpp
+  cli/table_check.cpp cli/table_path.cpp cli/table_read.cpp)
 target_include_directories(hexatlas PRIVATE ${PROJECT_SOURCE_DIR})
-target_link_libraries(hexatlas PRIVATE enum_hexes enum_quads meshing_hexahedrize meshing_io meshing_quality
+target_link_libraries(hexatlas PRIVATE enum_hexes enum_quads meshing_hexahedrize meshing_io meshing_quality meshing_simplify
   realize_solve tables_build tables_check tables_format tables_sheet CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
-set_source_files_properties(cli/command_line.cpp cli/command_line_enum.cpp PROPERTIES
+set_source_files_properties(cli/command_line.cpp cli/command_line_enum.cpp cli/command_line_mesh.cpp PROPERTIES
   COMPILE_OPTIONS "-O1")
 set_target_properties(hexatlas PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 

@@ -35,23 +35,17 @@ std::optional<Fit> fit(const SubBall& ball, const Beam& balls, int most, std::ui
   const FrontStore::Family& family = balls.store().family(*number);
   if (family.level_floor + 1 > most) return std::nullopt;
   const auto& known = family.fronts;
-  const Relation quads = relation_of_quads(boundary);
-  const Relation outside = ball.related_outside();
   std::vector<Fit> fits;
-  for (int i = 0; i < flags.count; ++i) {
-    const canon::Flag flag = flags.flags[static_cast<std::size_t>(i)];
-    const canon::Labelling label = canon::labelling_from(boundary, flag);
-    const Scars scars = scars_of(outside, quads, boundary.vertices(), label);
+  for (const Position& position : positions_of(boundary, flags, ball.related_outside()))
     for (std::uint32_t place = 0; place < known.size(); ++place) {
       const int hexahedra = known[place].level + 1;
-      if (hexahedra > most || !known[place].scars.is_disjoint_from(scars)) continue;
+      if (hexahedra > most || !known[place].scars.is_disjoint_from(position.scars)) continue;
       if (hexahedra < std::min(size, most)) {
         fits.clear();
         most = hexahedra;
       }
-      fits.push_back({{*number, place}, label, flag.mirrored});
+      fits.push_back({{*number, place}, position.label, position.is_mirrored});
     }
-  }
   if (fits.empty()) return std::nullopt;
   return fits[turn % fits.size()];
 }
@@ -69,18 +63,6 @@ HexComplex exchanged(const HexComplex& mesh, const SubBall& ball, const Beam& ba
   return result;
 }
 
-/// Grows by one of the hexahedra that touch: of those with the most facets on the ball, which keep
-/// the boundary short, one at random; by another one if that is impossible.
-bool grow_somewhere(SubBall& ball, Random& random) {
-  std::vector<std::pair<int, std::uint32_t>> candidates;
-  candidates.reserve(ball.touching().size());
-  for (const std::uint32_t cell : ball.touching())
-    candidates.emplace_back(4 * ball.shared(cell) + static_cast<int>(random.below(6)), cell);
-  std::sort(candidates.rbegin(), candidates.rend());
-  return std::any_of(candidates.begin(), candidates.end(),
-                     [&](const auto& candidate) { return ball.grow(candidate.second); });
-}
-
 /// A mesh and who meets whom in it.
 struct WorkedMesh {
   HexComplex mesh;
@@ -96,7 +78,7 @@ struct WorkedMesh {
 std::optional<HexComplex> in_shelling_order(const WorkedMesh& worked, int tries, Random& random) {
   for (int attempt = 0; attempt < tries; ++attempt) {
     SubBall ball = worked.ball_somewhere(random);
-    while (grow_somewhere(ball, random)) {
+    while (ball.grow_somewhere(random)) {
     }
     if (ball.cells().size() < worked.mesh.hexahedra.size()) continue;
     HexComplex result{worked.mesh.vertices, {}};
@@ -117,7 +99,7 @@ std::optional<HexComplex> exchanged_somewhere(const WorkedMesh& worked, int quad
   const HexComplex& mesh = worked.mesh;
   SubBall ball = worked.ball_somewhere(random);
   std::optional<HexComplex> sideways;
-  while (grow_somewhere(ball, random)) {
+  while (ball.grow_somewhere(random)) {
     const int size = static_cast<int>(ball.cells().size());
     const bool may_go_sideways = !sideways && random.below(8) == 0;
     const auto found = fit(ball, balls, may_go_sideways ? size + more : size - 1, random.number());

@@ -18,6 +18,18 @@ Scars scars_of(const Relation& related, const Relation& quads, int vertices,
   return scars;
 }
 
+std::vector<Position> positions_of(const complex::Quadrangulation& boundary,
+                                   const canon::CanonicalFlags& flags, const Relation& related) {
+  const Relation quads = relation_of_quads(boundary);
+  std::vector<Position> result(static_cast<std::size_t>(flags.count));
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i].label = canon::labelling_from(boundary, flags.flags[i]);
+    result[i].is_mirrored = flags.flags[i].mirrored;
+    result[i].scars = scars_of(related, quads, boundary.vertices(), result[i].label);
+  }
+  return result;
+}
+
 Scars Scars::renamed(const canon::Labelling& label) const noexcept {
   Scars result;
   for (std::size_t high = 1; high < kMaxSearchQuads + 2; ++high)

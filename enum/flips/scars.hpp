@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "enum/canon/code.hpp"
 #include "enum/flips/front.hpp"
@@ -62,6 +63,18 @@ class Scars {
 /// that `quads`, the relation of the boundary quads, does not have.
 [[nodiscard]] Scars scars_of(const Relation& related, const Relation& quads, int vertices,
                              const canon::Labelling& label) noexcept;
+
+/// One way to see a boundary as the canonical one, with the scars of a relation on it there.
+struct Position {
+  canon::Labelling label{};  ///< canonical label of each boundary vertex
+  bool is_mirrored = false;
+  Scars scars;
+};
+
+/// Each of them, one per automorphism, in the order of `flags`, which are those of `boundary`.
+[[nodiscard]] std::vector<Position> positions_of(const complex::Quadrangulation& boundary,
+                                                 const canon::CanonicalFlags& flags,
+                                                 const Relation& related);
 
 /// A front up to isomorphism. Equal states permit the same further hexahedra.
 struct State {

@@ -1,10 +1,10 @@
+#include "enum/flips/sub_ball.hpp"
+
 #include <algorithm>
 #include <bit>
+#include <utility>
 
-#include "enum/cells/cube.hpp"
 #include "enum/complex/facets.hpp"
-#include "enum/core/checks.hpp"
-#include "enum/flips/replacement.hpp"
 
 namespace hexatlas::flips {
 namespace {
@@ -65,15 +65,27 @@ SubBall::Neighbours SubBall::neighbours_of(const complex::HexComplex& mesh) {
 }
 
 SubBall::SubBall(const complex::HexComplex& mesh, const Neighbours& neighbours, std::uint32_t first)
-    : mesh_(mesh),
-      neighbours_(neighbours),
-      inside_(mesh.hexahedra.size()),
-      shared_(mesh.hexahedra.size()),
-      front_(single_hexahedron()),
-      on_rim_(mesh.vertices, kNewVertex) {
+    : mesh_(mesh), neighbours_(neighbours) {
+  restart(first);
+}
+
+void SubBall::restart(std::uint32_t first) {
+  for (int v = 0; v < (cells_.empty() ? 0 : front_.boundary.vertices()); ++v)
+    on_rim_[rim_[static_cast<std::size_t>(v)]] = kNewVertex;
+  for (auto* touched : {&cells_, &touching_}) {
+    for (const std::uint32_t cell : *touched) {
+      inside_[cell] = false;
+      shared_[cell] = 0;
+    }
+    touched->clear();
+  }
+  inside_.resize(std::max(inside_.size(), mesh_.hexahedra.size()));
+  shared_.resize(inside_.size());
+  on_rim_.resize(std::max<std::size_t>(on_rim_.size(), mesh_.vertices), kNewVertex);
+  front_ = single_hexahedron();
   take_in(first);
   for (std::size_t corner = 0; corner < 8; ++corner) {
-    rim_[corner] = mesh.hexahedra[first][corner];
+    rim_[corner] = mesh_.hexahedra[first][corner];
     on_rim_[rim_[corner]] = static_cast<Vertex>(corner);
   }
 }
@@ -116,16 +128,36 @@ void SubBall::take_in(std::uint32_t cell) {
     if (other != kOutside && !inside_[other] && shared_[other]++ == 0) touching_.push_back(other);
 }
 
+bool SubBall::grow_somewhere(core::Random& random, int weight) {
+  std::vector<std::pair<int, std::uint32_t>> candidates;
+  candidates.reserve(touching_.size());
+  for (const std::uint32_t cell : touching_)
+    candidates.emplace_back(weight * shared_[cell] + static_cast<int>(random.below(6)), cell);
+  std::sort(candidates.rbegin(), candidates.rend());
+  return std::any_of(candidates.begin(), candidates.end(),
+                     [this](const auto& candidate) { return grow(candidate.second); });
+}
+
+/// Relates the boundary vertices of a hexahedron if it lies outside.
+void SubBall::relate(std::uint32_t cell, Relation& related) const {
+  if (inside_[cell]) return;
+  VertexSet own = 0;
+  for (const complex::VertexId v : mesh_.hexahedra[cell])
+    if (on_rim_[v] != kNewVertex) own |= bit(on_rim_[v]);
+  for (VertexSet rest = own; rest != 0; rest &= rest - 1)
+    related[static_cast<std::size_t>(std::countr_zero(rest))] |= own;
+}
+
 Relation SubBall::related_outside() const {
   Relation related{};
-  for (std::uint32_t cell = 0; cell < inside_.size(); ++cell) {
-    if (inside_[cell]) continue;
-    VertexSet own = 0;
-    for (const complex::VertexId v : mesh_.hexahedra[cell])
-      if (on_rim_[v] != kNewVertex) own |= bit(on_rim_[v]);
-    for (VertexSet rest = own; rest != 0; rest &= rest - 1)
-      related[static_cast<std::size_t>(std::countr_zero(rest))] |= own;
-  }
+  for (std::uint32_t cell = 0; cell < mesh_.hexahedra.size(); ++cell) relate(cell, related);
+  return related;
+}
+
+Relation SubBall::related_outside(const CellsAt& cells_at) const {
+  Relation related{};
+  for (int v = 0; v < front_.boundary.vertices(); ++v)
+    for (const std::uint32_t cell : cells_at[rim(static_cast<Vertex>(v))]) relate(cell, related);
   return related;
 }
 

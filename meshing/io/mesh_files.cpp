@@ -101,6 +101,14 @@ std::string refusal(FileFormat format) {
   return "a file of format " + std::string(extension_of(format)) + " cannot hold hexahedra";
 }
 
+FileFormat format_to_write(const std::string& path, std::optional<FileFormat> format) {
+  if (path == "-" && !format)
+    throw core::InvalidInput("standard output", "a format is needed, since there is no extension");
+  const FileFormat known = format ? *format : format_of_path(path);
+  if (!holds_hexahedra(known)) throw core::InvalidInput(path, refusal(known));
+  return known;
+}
+
 }  // namespace
 
 mesh::SurfaceMesh parse_surface(std::string_view bytes, FileFormat format,
@@ -151,13 +159,14 @@ std::string to_text(const mesh::SurfaceMesh& mesh, FileFormat format, GmshVersio
   return write({mesh.points, mesh.quads, {}}, format, gmsh);
 }
 
+void expect_hexahedra_writable(const std::string& path, std::optional<FileFormat> format) {
+  (void)format_to_write(path, format);
+  if (path != "-") core::expect_writable(path);
+}
+
 void write_hexahedra(const std::string& path, const mesh::HexMesh& mesh,
                      std::optional<FileFormat> format, const WriteOptions& options) {
-  if (path == "-" && !format)
-    throw core::InvalidInput("standard output", "a format is needed, since there is no extension");
-  const FileFormat known = format ? *format : format_of_path(path);
-  if (!holds_hexahedra(known)) throw core::InvalidInput(path, refusal(known));
-  core::write_file(path, to_text(mesh, known, options));
+  core::write_file(path, to_text(mesh, format_to_write(path, format), options));
 }
 
 }  // namespace hexatlas::io

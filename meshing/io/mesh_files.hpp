@@ -79,6 +79,10 @@ struct WriteOptions {
 [[nodiscard]] std::string to_text(const mesh::SurfaceMesh& mesh, FileFormat format,
                                   GmshVersion gmsh = GmshVersion::v4_1);
 
+/// Tells before long work what would make it be in vain: that write_hexahedra() would throw
+/// InvalidInput as the file system stands. Writes nothing.
+void expect_hexahedra_writable(const std::string& path, std::optional<FileFormat> format = {});
+
 /// Replaces the file at `path`, whole or not at all; "-" is standard output and needs a format.
 /// Throws InvalidInput (unknown extension, a format without hexahedra, no such folder),
 /// ResourceFailure (disk full).

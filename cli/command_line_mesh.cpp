@@ -1,0 +1,66 @@
+#include <memory>
+
+#include "cli/command_line_parts.hpp"
+#include "enum/flips/scars.hpp"
+
+namespace hexatlas::cli {
+
+void add_mesh(CLI::App& app, Action& action) {
+  auto* mesh = app.add_subcommand("mesh", "Make meshes");
+  mesh->require_subcommand(1);
+  auto* hex = mesh->add_subcommand("hex", "Hexahedral mesh of a ball given by its quad surface");
+  auto options = std::make_shared<MeshHexOptions>();
+  hex->add_option("INPUT", options->input,
+                  "Quad surface: .obj .off .vtk .vtu .mesh .msh, or - for standard input")
+      ->required();
+  hex->add_option("-o,--output", options->output,
+                  "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)")
+      ->required();
+  hex->add_option("--table", options->table, "Table of meshes [the one beside the program]");
+  hex->add_flag("--json", options->json, "Print one JSON object");
+  hex->add_flag("--require-valid", options->require_valid,
+                "Exit with 4 unless every hexahedron is proven valid");
+  hex->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
+              example("hexatlas mesh hex pyramid.obj -o pyramid.vtu"));
+  hex->callback([options, &action] { action = [options] { return mesh_hex(*options); }; });
+}
+
+void add_simplify(CLI::App& app, Action& action) {
+  auto* command = app.add_subcommand(
+      "simplify", "Fewer hexahedra for a mesh of a ball, by exchange of cavities; same boundary");
+  auto options = std::make_shared<SimplifyOptions>();
+  simplify::Options& search = options->search;
+  command
+      ->add_option("MESH", options->input,
+                   "Hexahedral mesh: .vtu .vtk .mesh .msh, or - for standard input")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)")
+      ->required();
+  auto* table = command->add_option("--table", options->table,
+                                    "Table of meshes [the one beside the program]");
+  command->add_flag("--no-table", options->without_table, "Use no table")->excludes(table);
+  command->add_option("--tries", search.tries, "Cavities grown")
+      ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000'000}))
+      ->capture_default_str();
+  command
+      ->add_option("--uphill", search.uphill,
+                   "Hexahedra that meshes on the way may have above the least one")
+      ->check(CLI::Range(0U, 20U))
+      ->capture_default_str();
+  command->add_option("--cavity", search.max_cavity, "Quads of the boundary of a cavity, at most")
+      ->check(CLI::Range(6, flips::kMaxSearchQuads))
+      ->capture_default_str();
+  command->add_flag("!--parts", search.whole, "Never take the whole mesh for a cavity");
+  add_seed(*command, search.seed);
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->footer(
+      "Boundary points stay bit for bit; interior ones are placed anew if the mesh gets smaller.\n"
+      "Exit code 4 if it was stopped; the least mesh so far is written then. With -o - the\n"
+      "summary, or the JSON, goes to standard error.\n" +
+      example("hexatlas simplify large.vtu -o small.vtu"));
+  command->callback([options, &action] { action = [options] { return simplify_mesh(*options); }; });
+}
+
+}  // namespace hexatlas::cli

@@ -1,0 +1,65 @@
+#include "cli/mesh_output.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <optional>
+#include <system_error>
+#include <vector>
+
+#include "cli/output.hpp"
+#include "meshing/io/mesh_files.hpp"
+
+namespace hexatlas::cli {
+namespace {
+
+std::vector<check::Point> points_of(const std::vector<mesh::Point>& points) {
+  std::vector<check::Point> result;
+  std::transform(points.begin(), points.end(), std::back_inserter(result),
+                 [](const mesh::Point& p) {
+                   return check::Point{p.x, p.y, p.z};
+                 });
+  return result;
+}
+
+/// Standard output has no extension.
+std::optional<io::FileFormat> format_on(const std::string& output) {
+  return output == "-" ? std::optional(io::FileFormat::vtk) : std::nullopt;
+}
+
+}  // namespace
+
+bool is_same_file(const std::string& input, const std::string& output) {
+  if (input == "-" || output == "-") return false;
+  std::error_code error;  // a file that is not there is told by who opens it
+  return std::filesystem::is_regular_file(input, error) &&
+         std::filesystem::equivalent(input, output, error);
+}
+
+check::Mesh for_judge(const mesh::HexMesh& mesh) {
+  check::Mesh judged{points_of(mesh.points), {}, {}};
+  for (const auto& h : mesh.hexahedra)  // bottom and top quads, cyclically
+    judged.hexahedra.push_back({h[0], h[1], h[3], h[2], h[4], h[5], h[7], h[6]});
+  return judged;
+}
+
+check::Surface for_judge(const mesh::SurfaceMesh& surface) {
+  return {points_of(surface.points), {surface.quads.begin(), surface.quads.end()}};
+}
+
+void expect_mesh_writable(const std::string& output) {
+  io::expect_hexahedra_writable(output, format_on(output));
+}
+
+void write_mesh(const std::string& output, const mesh::HexMesh& mesh) {
+  io::write_hexahedra(output, mesh, format_on(output));
+}
+
+void tell(const std::string& output, const std::string& text) {
+  if (output == "-")
+    say_text(text);
+  else
+    print(text);
+}
+
+}  // namespace hexatlas::cli

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// What the verbs that write a hexahedral mesh share.
+
+#include <string>
+
+#include "meshing/mesh/mesh.hpp"
+#include "tables/check/mesh.hpp"
+
+namespace hexatlas::cli {
+
+/// The output would take the place of the input.
+[[nodiscard]] bool is_same_file(const std::string& input, const std::string& output);
+
+/// The mesh and the surface as the judge takes them.
+[[nodiscard]] check::Mesh for_judge(const mesh::HexMesh& mesh);
+[[nodiscard]] check::Surface for_judge(const mesh::SurfaceMesh& surface);
+
+/// io::expect_hexahedra_writable() for write_mesh().
+void expect_mesh_writable(const std::string& output);
+/// Writes the mesh; on standard output as .vtk.
+void write_mesh(const std::string& output, const mesh::HexMesh& mesh);
+
+/// Data. With the mesh on standard output they go to standard error.
+void tell(const std::string& output, const std::string& text);
+
+}  // namespace hexatlas::cli

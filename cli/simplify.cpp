@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/mesh_output.hpp"
+#include "cli/output.hpp"
+#include "cli/table_path.hpp"
+#include "enum/core/errors.hpp"
+#include "meshing/hexahedrize/smoothing.hpp"
+#include "meshing/io/mesh_files.hpp"
+#include "meshing/quality/report.hpp"
+#include "tables/check/mesh_check.hpp"
+
+namespace hexatlas::cli {
+namespace {
+
+/// A mesh without coordinates, the vertices of its boundary first; and where these are.
+struct Start {
+  complex::HexComplex mesh;
+  mesh::SurfaceMesh boundary;
+};
+
+Start start_of(const mesh::HexMesh& mesh) {
+  complex::HexComplex given{static_cast<std::uint32_t>(mesh.points.size()), mesh.hexahedra};
+  std::vector<complex::VertexId> outer;
+  for (const complex::BoundaryQuad& quad : complex::boundary_of(given))
+    outer.insert(outer.end(), quad.begin(), quad.end());
+  std::sort(outer.begin(), outer.end());
+  outer.erase(std::unique(outer.begin(), outer.end()), outer.end());
+  Start start{complex::renumbered(std::move(given), outer), {}};
+  start.boundary.quads = complex::boundary_of(start.mesh);
+  for (const complex::VertexId v : outer) start.boundary.points.push_back(mesh.points[v]);
+  return start;
+}
+
+/// Whether the judge shows the mesh to be a ball; it may be undecided about that. Throws
+/// InvalidInput if it finds a fault.
+bool is_shown_ball(const mesh::HexMesh& mesh, const std::string& file) {
+  const check::Verdict verdict = check::check_mesh(for_judge(mesh), nullptr);
+  if (!verdict.accepted && !verdict.undecided)
+    throw core::InvalidInput(file, "is not a mesh of a ball: " + verdict.reason);
+  return verdict.accepted;
+}
+
+/// The mesh made, its interior vertices placed, judged as a whole.
+mesh::HexMesh placed(const complex::HexComplex& made, const mesh::SurfaceMesh& boundary) {
+  mesh::HexMesh mesh{boundary.points, made.hexahedra};
+  mesh.points.resize(made.vertices);
+  hexahedrize::smooth(mesh, boundary.points.size());
+  const check::Surface surface = for_judge(boundary);
+  const check::Verdict verdict = check::check_mesh(for_judge(mesh), &surface);
+  if (!verdict.accepted && !verdict.undecided)
+    throw core::InternalError("simplify made a mesh that is not valid: " + verdict.reason);
+  return mesh;
+}
+
+std::string json_line(std::size_t before, const mesh::HexMesh& mesh, std::size_t interior,
+                      const simplify::Simplified& made, double elapsed) {
+  const quality::Report report = quality::report(mesh);
+  nlohmann::ordered_json json;
+  json["before"] = before;
+  json["after"] = report.hexahedra;
+  json["interior_vertices"] = interior;
+  json["exchanges"] = made.exchanges;
+  json["seconds"] = elapsed;
+  json["min_scaled_jacobian"] = report.min_scaled_jacobian;
+  json["valid"] = report.valid;
+  json["inverted"] = report.inverted;
+  return to_line(json);
+}
+
+std::string summary(std::size_t before, const mesh::HexMesh& mesh, std::size_t interior,
+                    const simplify::Simplified& made, const std::string& output) {
+  const quality::Report report = quality::report(mesh);
+  return fmt::format(
+      "{}: {}, {} before; {}; {}\n"
+      "scaled Jacobian: minimum {:.4f}, mean {:.4f}; {} of {} proven valid, {} inverted\n",
+      output, counted(report.hexahedra, "hexahedron", "hexahedra"), before,
+      counted(interior, "interior vertex", "interior vertices"),
+      counted(made.exchanges, "exchange", "exchanges"), report.min_scaled_jacobian,
+      report.mean_scaled_jacobian, report.valid,
+      counted(report.hexahedra, "hexahedron", "hexahedra"), report.inverted);
+}
+
+simplify::Simplified searched(const complex::HexComplex& mesh, const SimplifyOptions& options) {
+  simplify::Options search = options.search;
+  search.stop = &stop_requested();
+  std::optional<format::Table> table;
+  if (!options.without_table) table = format::Table::open(table_path(options.table));
+  ProgressLine line;
+  search.progress = [&](std::size_t tries, std::size_t hexahedra) {
+    line.update(fmt::format("{} hexahedra, least {}; tries", mesh.hexahedra.size(), hexahedra),
+                tries, search.tries);
+  };
+  return simplify::simplified(mesh, table ? &*table : nullptr, search);
+}
+
+}  // namespace
+
+ExitCode simplify_mesh(const SimplifyOptions& options) {
+  const double begin = seconds();
+  if (is_same_file(options.input, options.output)) {
+    say("MESH and --output are the same file. See `hexatlas simplify --help`.");
+    return ExitCode::usage;
+  }
+  expect_mesh_writable(options.output);
+  const mesh::HexMesh given = io::read_hexahedra(options.input);
+  const std::string name = options.input == "-" ? "standard input" : options.input;
+  if (!is_shown_ball(given, name))
+    say("note: that " + name + " is a ball was not shown; what is written is homeomorphic to it");
+  const Start start = start_of(given);
+  const simplify::Simplified made = searched(start.mesh, options);
+  const bool is_smaller = made.mesh.hexahedra.size() < given.hexahedra.size();
+  const mesh::HexMesh mesh = is_smaller ? placed(made.mesh, start.boundary) : given;
+  write_mesh(options.output, mesh);
+  const std::size_t interior = mesh.points.size() - start.boundary.points.size();
+  const double elapsed = seconds() - begin;
+  tell(options.output, options.json
+                           ? json_line(given.hexahedra.size(), mesh, interior, made, elapsed)
+                           : summary(given.hexahedra.size(), mesh, interior, made, options.output));
+  if (!made.is_stopped) return ExitCode::yes;
+  say("stopped; the least mesh so far was written");
+  return ExitCode::undecided;
+}
+
+}  // namespace hexatlas::cli
