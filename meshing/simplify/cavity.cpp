@@ -8,7 +8,6 @@
 namespace hexatlas::simplify {
 
 using complex::VertexId;
-using flips::Position;
 
 Cavity::Cavity(const EditedMesh& mesh, KnownBalls& known)
     : mesh_(mesh), known_(known), ball_(mesh.mesh(), mesh.neighbours(), 0) {}

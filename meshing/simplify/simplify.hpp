@@ -28,7 +28,7 @@ struct Options {
   std::size_t tries = 20'000;  ///< cavities grown
   unsigned uphill = 2;         ///< hexahedra that meshes on the way may have above the least one
   std::uint64_t seed = 1;
-  int max_cavity = 20;  ///< quads of the boundary of a cavity, at most flips::kMaxSearchQuads
+  int max_cavity = 24;  ///< quads of the boundary of a cavity, at most flips::kMaxSearchQuads
   bool whole = true;    ///< the whole mesh may be exchanged, if its boundary is small enough
   const std::atomic<bool>* stop = nullptr;  ///< set from elsewhere to end early
   /// Called at times with the tries made and the least number of hexahedra so far.
