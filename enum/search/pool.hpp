@@ -3,9 +3,10 @@
 /// A backtracking search on several threads that can be stopped, saved and gone on with.
 ///
 /// What is left of a search is a list of roots (depth_first.hpp). It is worked off in rounds: the
-/// first kRoots of them each get a slice of nodes, what they leave takes their places. The rounds
-/// depend on the list alone, so the results do not depend on the number of threads, nor on where
-/// the search was stopped and resumed, but for the order in which solutions are listed.
+/// first roots are dealt out to kSlots, each of which has a slice of nodes for its own, and what
+/// the slots leave takes the places of their roots. The rounds depend on the list alone, so the
+/// results do not depend on the number of threads, nor on where the search was stopped and resumed,
+/// but for the order in which solutions are listed.
 
 #include <algorithm>
 #include <atomic>
@@ -41,33 +42,52 @@ struct PoolOptions {
   const std::atomic<bool>* stop = nullptr;
 };
 
-inline constexpr std::size_t kRoots = 64;           ///< of a round
-inline constexpr std::uint64_t kSlice = 50'000;     ///< nodes of a root in a round: some 25 ms
-inline constexpr std::uint64_t kFirstSlice = 1000;  ///< while there are fewer roots
+inline constexpr std::size_t kSlots = 64;           ///< of a round
+inline constexpr std::size_t kRootsEach = 64;       ///< of a slot, at most
+inline constexpr std::uint64_t kSlice = 50'000;     ///< nodes of a slot in a round: some 25 ms
+inline constexpr std::uint64_t kFirstSlice = 1000;  ///< while there are fewer roots than slots
 
 namespace detail {
 
 template <class Choice, class Found>
 struct Slot {
-  Root<Choice> root;
-  Exploration<Choice> result;
+  std::vector<Root<Choice>> roots;  ///< what is left of them, the next one last
+  Counts counts;
   std::vector<Found> found;
 };
 
-/// The roots of the next round, and the nodes that each gets; none if `left` is 0.
+/// The slots of the next round, and the nodes that each gets; none if `left` is 0.
 template <class Choice, class Found>
 std::vector<Slot<Choice, Found>> take_round(std::vector<Root<Choice>>& pending, std::uint64_t left,
-                                            Budget& budget) {
-  const auto count =
-      static_cast<std::size_t>(std::min<std::uint64_t>(std::min(kRoots, pending.size()), left));
-  if (count == 0) return {};
-  budget.nodes = std::min(pending.size() < kRoots ? kFirstSlice : kSlice, left / count);
-  std::vector<Slot<Choice, Found>> round(count);
+                                            std::uint64_t& slice) {
+  const auto slots =
+      static_cast<std::size_t>(std::min<std::uint64_t>(std::min(kSlots, pending.size()), left));
+  if (slots == 0) return {};
+  slice = std::min(pending.size() < kSlots ? kFirstSlice : kSlice, left / slots);
+  const std::size_t each = std::min(kRootsEach, pending.size() / slots);
+  std::vector<Slot<Choice, Found>> round(slots);
   for (Slot<Choice, Found>& slot : round) {
-    slot.root = std::move(pending.back());
-    pending.pop_back();
+    const auto first = pending.end() - static_cast<std::ptrdiff_t>(each);
+    slot.roots.assign(std::make_move_iterator(first), std::make_move_iterator(pending.end()));
+    pending.erase(first, pending.end());
   }
   return round;
+}
+
+/// Works off the roots of a slot until its nodes are spent.
+template <class P, class Collect, class Choice, class Found>
+void work_off(P& problem, std::uint64_t nodes, Collect& collect, Slot<Choice, Found>& slot) {
+  while (!slot.roots.empty() && slot.counts.nodes < nodes) {
+    const Root<Choice> root = std::move(slot.roots.back());
+    slot.roots.pop_back();
+    auto result =
+        explore(problem, root, {.nodes = nodes - slot.counts.nodes}, [&](const auto& solution) {
+          if (std::optional<Found> kept = collect(solution)) slot.found.push_back(std::move(*kept));
+          return true;
+        });
+    slot.counts += result.counts;
+    std::move(result.unexplored.rbegin(), result.unexplored.rend(), std::back_inserter(slot.roots));
+  }
 }
 
 }  // namespace detail
@@ -85,23 +105,18 @@ void explore_pending(Frontier<Choice, Found>& frontier, const PoolOptions& optio
   };
   std::uint64_t left = options.max_nodes;
   while (!frontier.is_finished() && !is_stopped()) {
-    Budget budget;
-    auto round = detail::take_round<Choice, Found>(frontier.pending, left, budget);
+    std::uint64_t slice = 0;
+    auto round = detail::take_round<Choice, Found>(frontier.pending, left, slice);
     if (round.empty()) return;
     parallel::parallel_for(options.threads, round.size(), [&](std::size_t i) {
-      auto& slot = round[i];
       auto problem = make();
-      slot.result = explore(problem, slot.root, budget, [&](const auto& solution) {
-        if (std::optional<Found> kept = collect(solution)) slot.found.push_back(std::move(*kept));
-        return true;
-      });
+      detail::work_off(problem, slice, collect, round[i]);
     });
     for (auto slot = round.rbegin(); slot != round.rend(); ++slot)
-      std::move(slot->result.unexplored.rbegin(), slot->result.unexplored.rend(),
-                std::back_inserter(frontier.pending));
+      std::move(slot->roots.begin(), slot->roots.end(), std::back_inserter(frontier.pending));
     for (auto& slot : round) {
-      frontier.counts += slot.result.counts;
-      left -= slot.result.counts.nodes;
+      frontier.counts += slot.counts;
+      left -= slot.counts.nodes;
       std::move(slot.found.begin(), slot.found.end(), std::back_inserter(frontier.found));
     }
     if (after_round && !after_round()) return;
@@ -117,11 +132,11 @@ auto shard(std::size_t index, std::size_t parts, Make&& make, Collect&& collect)
   using Choice = typename decltype(problem)::Choice;
   Frontier<Choice, Found> result;
   if (parts == 1) return result;
-  constexpr std::size_t kRootsEach = 50;  // so that the parts are about alike
+  constexpr std::size_t kRootsOfPart = 50;  // so that the parts are about alike
   Exploration<Choice> top;
   std::size_t before = 0;
-  for (std::size_t depth = 1;
-       depth == 1 || (top.unexplored.size() > before && top.unexplored.size() < kRootsEach * parts);
+  for (std::size_t depth = 1; depth == 1 || (top.unexplored.size() > before &&
+                                             top.unexplored.size() < kRootsOfPart * parts);
        ++depth) {
     before = top.unexplored.size();
     result.found.clear();

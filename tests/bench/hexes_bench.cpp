@@ -23,12 +23,12 @@ void pyramid(benchmark::State& state, int hexahedra, bool ball) {
   state.counters["nodes/s"] =
       benchmark::Counter(static_cast<double>(nodes), benchmark::Counter::kIsRate);
 }
-BENCHMARK_CAPTURE(pyramid, balls_16, 16, true)
+BENCHMARK_CAPTURE(pyramid, balls_17, 17, true)
     ->Arg(1)
     ->Arg(2)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(pyramid, any_14, 14, false)
+BENCHMARK_CAPTURE(pyramid, any_15, 15, false)
     ->Arg(1)
     ->Arg(2)
     ->UseRealTime()
