@@ -73,7 +73,7 @@ bool HexSearch::open_level() {
 HexSearch::Choices HexSearch::choices() const noexcept {
   if (!mesh_.has_begun()) return Choices(0);
   VertexSet tops = mesh_.next_tops();
-  if (mesh_.new_tops() >= levels_.back().new_vertices)
+  if (mesh_.vertices_left() > 0 && mesh_.new_tops() >= levels_.back().new_vertices)
     tops &= ~bit(static_cast<std::size_t>(mesh_.vertices()));
   return Choices(tops);
 }

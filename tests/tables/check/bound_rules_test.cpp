@@ -197,7 +197,9 @@ class Walk {
         tops[i] = number_[v];
       }
     }
-    const std::vector<BoundCorners> children = state_.tops_on(number, room_of(state_, left));
+    const int most_new =
+        std::min(room_of(state_, left), static_cast<int>(kMostBoundVertices - state_.vertices()));
+    const std::vector<BoundCorners> children = state_.tops_on(number, most_new);
     EXPECT_TRUE(std::is_sorted(children.begin(), children.end()));
     EXPECT_EQ(std::count(children.begin(), children.end(), tops), 1);
     state_.put(number, tops);
