@@ -29,19 +29,23 @@ canon::Code code_from(const std::string& text) {
 
 }  // namespace
 
+void expect_canonical(const std::string& word, const complex::Quadrangulation& boundary) {
+  const std::string code = canon::to_text(canon::canonical_form(boundary).code);
+  if (word != code)
+    throw core::InvalidInput(word, "is not canonical; the code of this boundary is " + code);
+}
+
 NamedBoundary boundary_from(const std::string& name_code_or_file) {
   const canon::Code code = code_from(name_code_or_file);
   const auto boundary = canon::decode(code);
   if (!boundary) throw core::InvalidInput(name_code_or_file, "is no code of a quadrangulation");
-  const std::string canonical = canon::to_text(canon::canonical_form(*boundary).code);
-  if (canonical != canon::to_text(code))
-    throw core::InvalidInput(name_code_or_file,
-                             "is not canonical; the code of this boundary is " + canonical);
+  const std::string word = canon::to_text(code);
+  expect_canonical(word, *boundary);
   if (boundary->quads() % 2 != 0)
     throw core::InvalidInput(name_code_or_file, "has an odd number of quads, so there is no mesh");
   if (!boundary->is_three_connected())
     throw core::InvalidInput(name_code_or_file, "is not 3-connected, so there is no mesh");
-  return {canonical, *boundary};
+  return {word, *boundary};
 }
 
 }  // namespace hexatlas::cli

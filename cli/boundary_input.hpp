@@ -18,4 +18,7 @@ struct NamedBoundary {
 /// there is no mesh.
 [[nodiscard]] NamedBoundary boundary_from(const std::string& name_code_or_file);
 
+/// Throws InvalidInput unless `word` is the canonical code of the boundary that it stands for.
+void expect_canonical(const std::string& word, const complex::Quadrangulation& boundary);
+
 }  // namespace hexatlas::cli

@@ -50,6 +50,12 @@ void add_triangulations(CLI::App& parent, Action& action) {
       [options, &action] { action = [options] { return enum_triangulations(*options); }; });
 }
 
+CLI::Option* add_shard(CLI::App& command, std::string& shard, const char* help) {
+  return command.add_option("--shard", shard, help)->check([](const std::string& text) {
+    return shard_from(text) ? std::string() : "must be R/M with 0 <= R < M <= 1000000";
+  });
+}
+
 void add_quadrangulations(CLI::App& parent, Action& action) {
   auto* command = parent.add_subcommand(
       "quadrangulations", "Quadrangulations of the sphere, one of each pair of mirror images");
@@ -61,12 +67,8 @@ void add_quadrangulations(CLI::App& parent, Action& action) {
       ->check(CLI::IsMember({"3-connected", "min-degree-3", "simple"}))
       ->capture_default_str();
   auto* count = command->add_flag("--count")->description("Counts only; the default without -o");
-  command
-      ->add_option("--shard", options->shard,
-                   "Part R of M as R/M, R from 0 on; the parts 0 to M-1 are together the whole")
-      ->check([](const std::string& text) {
-        return shard_from(text) ? std::string() : "must be R/M with 0 <= R < M <= 1000000";
-      });
+  add_shard(*command, options->shard,
+            "Part R of M as R/M, R from 0 on; the parts 0 to M-1 are together the whole");
   command
       ->add_option("-o,--output", options->output,
                    "List to write in planar_code, or - for standard output")
@@ -104,11 +106,8 @@ void add_hexmeshes(CLI::App& parent, Action& action) {
   auto* certificate =
       command->add_option("--certificate", options->certificate,
                           "Proof to write (.hxb) that there is none; the search is run for it");
-  auto* shard = command->add_option("--shard", options->shard,
-                                    "Part R of M as R/M, R from 0 on; counts and meshes add up");
-  shard->check([](const std::string& text) {
-    return shard_from(text) ? std::string() : "must be R/M with 0 <= R < M <= 1000000";
-  });
+  auto* shard = add_shard(*command, options->shard,
+                          "Part R of M as R/M, R from 0 on; counts and meshes add up");
   auto* state = command->add_option("--state", options->state,
                                     "File to save the search in, and to go on from if it is there");
   command->add_option("--save-every", options->save_every, "Seconds between saves")

@@ -59,7 +59,8 @@ std::string shard_text(const build::HexmeshTask& task) {
   return fmt::format("{}/{}", task.part, task.parts);
 }
 
-nlohmann::ordered_json json_of(const Result& result) {
+/// What is searched.
+nlohmann::ordered_json json_of_task(const Result& result) {
   nlohmann::ordered_json json;
   json["boundary"] = result.input.code;
   json["quads"] = result.input.boundary.quads();
@@ -67,6 +68,11 @@ nlohmann::ordered_json json_of(const Result& result) {
   json["max_hexes"] = result.task.limits.max_hexahedra;
   json["max_interior"] = result.task.limits.max_interior;
   json["any_interior"] = result.any_interior;
+  return json;
+}
+
+nlohmann::ordered_json json_of(const Result& result) {
+  nlohmann::ordered_json json = json_of_task(result);
   json["shard"] = shard_text(result.task);
   Tally total;
   json["by_hexes"] = nlohmann::ordered_json::object();
@@ -99,21 +105,19 @@ std::string limits_text(const Result& result) {
 
 std::string report(const Result& result) {
   std::string text;
-  Tally total;
   const auto tallies = by_hexahedra(result);
   if (!tallies.empty())
     text = fmt::format("{:>9} {:>10} {:>12} {:>10}\n", "hexahedra", "classes", "labelled", "balls");
-  for (const auto& [hexahedra, tally] : tallies) {
+  for (const auto& [hexahedra, tally] : tallies)
     text += fmt::format("{:>9} {:>10} {:>12} {:>10}\n", hexahedra, tally.classes, tally.labelled,
                         tally.balls);
-    total.classes += tally.classes;
-  }
   const bool is_proof = result.frontier.is_finished();
   return text + fmt::format("{} ({} quads), {}, {}{}: {}{}; {} nodes{}\n", result.input.code,
                             result.input.boundary.quads(), limits_text(result),
                             result.task.limits.ball ? "balls" : "any complexes",
                             result.task.parts == 1 ? "" : ", part " + shard_text(result.task),
-                            is_proof ? "" : "at least ", counted(total.classes, "class", "classes"),
+                            is_proof ? "" : "at least ",
+                            counted(result.frontier.found.size(), "class", "classes"),
                             result.frontier.counts.nodes,
                             is_proof ? "; the search is exhaustive" : "");
 }
@@ -156,10 +160,9 @@ ExitCode tell_estimate(const EnumHexmeshesOptions& options, const hexes::Hexmesh
   return ExitCode::yes;
 }
 
-ExitCode write_certificate(const EnumHexmeshesOptions& options, const Result& result) {
+ExitCode write_certificate(const EnumHexmeshesOptions& options, const hexes::SearchLimits& limits,
+                           const Result& result) {
   ProgressLine progress;
-  hexes::SearchLimits limits = result.task.limits;
-  limits.up_to_symmetry = true;
   const hexes::BoundLog log =
       hexes::bound_log(result.input.boundary, limits,
                        {.threads = parallel::threads_or_all(options.threads),
@@ -179,8 +182,10 @@ ExitCode write_certificate(const EnumHexmeshesOptions& options, const Result& re
   const std::string bytes = build::bound_certificate(result.input.boundary, limits, log);
   core::write_file(options.certificate, bytes);
   if (options.json) {
-    nlohmann::ordered_json json = json_of(result);
-    for (const char* key : {"shard", "by_hexes", "labelled", "nodes"}) json.erase(key);
+    nlohmann::ordered_json json = json_of_task(result);
+    json["classes"] = 0;
+    json["balls"] = 0;
+    json["symmetries"] = result.symmetries;
     json["exhaustive"] = true;
     json["records"] = log.records;
     json["bytes"] = bytes.size();
@@ -267,7 +272,7 @@ ExitCode enum_hexmeshes(const EnumHexmeshesOptions& options) {
   result.any_interior =
       task.limits.max_interior ==
       hexes::most_interior_vertices(input.boundary.quads(), options.max_hexahedra);
-  if (!options.certificate.empty()) return write_certificate(options, result);
+  if (!options.certificate.empty()) return write_certificate(options, problem.limits(), result);
   search(options, problem, result);
   if (!options.output.empty()) core::write_file(options.output, list_of(result));
   const std::string text = options.json ? to_line(json_of(result)) : report(result);

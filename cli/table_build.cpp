@@ -23,8 +23,8 @@ namespace hexatlas::cli {
 namespace {
 
 canon::Code code_of(const std::string& name_or_code) {
-  for (const auto& named : build::kNamedBoundaries)
-    if (named.name == name_or_code) return canon::from_text(named.code).value();
+  if (const auto* named = build::named_boundary(name_or_code))
+    return canon::from_text(named->code).value();
   const auto code = canon::from_text(name_or_code);
   const auto boundary = code ? canon::decode(*code) : std::nullopt;
   if (!boundary || canon::canonical_form(*boundary).code != *code)

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/boundary_input.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/table_by_quads.hpp"
@@ -110,12 +111,6 @@ std::optional<std::string> reason_against_filling(const complex::Quadrangulation
   for (int v = 0; v < boundary.vertices(); ++v)
     sphere.point_of.push_back(static_cast<complex::VertexId>(v));
   return complex::reason_against_filling(sphere);
-}
-
-void expect_canonical(const std::string& word, const complex::Quadrangulation& boundary) {
-  const std::string code = canon::to_text(canon::canonical_form(boundary).code);
-  if (word != code)
-    throw core::InvalidInput(word, "is not canonical; the code of this boundary is " + code);
 }
 
 /// A mesh for a boundary that the table does not have.

@@ -50,12 +50,6 @@ class Writer {
     bytes_.push_back(static_cast<char>(value));
   }
 
-  [[nodiscard]] std::size_t place_of(int facet) const {
-    std::size_t place = 0;
-    search_.mesh().open().for_each([&](int other) { place += other < facet ? 1U : 0U; });
-    return place;
-  }
-
   void branch(std::size_t place) {
     ++records_;
     byte(0);
@@ -71,7 +65,7 @@ class Writer {
       segments_.push_back(std::exchange(bytes_, {}));
       return;
     }
-    branch(place_of(search_.mesh().bottom()));
+    branch(search_.mesh().open().place_of(search_.mesh().bottom()));
     children();
   }
 

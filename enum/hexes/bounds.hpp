@@ -3,7 +3,6 @@
 /// Lower bounds for what is missing from a partial mesh: each one refutes states from which no mesh
 /// within the limits follows. Definitions and proofs: docs/theory/proofs/hexahedral-search.md.
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -31,11 +30,6 @@ class OpenFacets {
 
   [[nodiscard]] std::size_t size() const noexcept { return number_.size(); }
   [[nodiscard]] int number(std::size_t place) const noexcept { return number_[place]; }
-  /// Requires an open facet.
-  [[nodiscard]] std::size_t place_of(int number) const noexcept {
-    return static_cast<std::size_t>(std::lower_bound(number_.begin(), number_.end(), number) -
-                                    number_.begin());
-  }
   [[nodiscard]] const std::array<VertexSet, 4>& above(std::size_t place) const noexcept {
     return above_[place];
   }

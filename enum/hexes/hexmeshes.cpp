@@ -107,11 +107,6 @@ bool has_two_colours(const complex::HexComplex& mesh) {
   return true;
 }
 
-int first_quad_of(const complex::Quadrangulation& boundary, SearchLimits limits) {
-  limits.up_to_symmetry = false;
-  return std::max(0, HexSearch(boundary, limits).first_quad());
-}
-
 }  // namespace
 
 Topology topology_of(const complex::HexComplex& mesh) {
@@ -120,9 +115,10 @@ Topology topology_of(const complex::HexComplex& mesh) {
 }
 
 HexmeshProblem::HexmeshProblem(const complex::Quadrangulation& boundary, const SearchLimits& limits)
-    : boundary_(boundary), limits_(limits), symmetry_(boundary, first_quad_of(boundary, limits)) {
-  limits_.up_to_symmetry = true;
-}
+    : boundary_(boundary),
+      limits_{limits.max_hexahedra, limits.max_interior, limits.ball, true},
+      start_(boundary, limits_),
+      symmetry_(boundary, std::max(0, start_.first_quad())) {}
 
 int HexmeshProblem::symmetries() const noexcept {
   return static_cast<int>(symmetry_.maps().size());
@@ -148,21 +144,19 @@ std::optional<Hexmesh> HexmeshProblem::collect(const HexSearch& found) const {
 
 HexFrontier HexmeshProblem::begin(std::size_t index, std::size_t parts) const {
   return search::shard<Hexmesh>(
-      index, parts, [&] { return HexSearch(boundary_, limits_); },
-      [&](const HexSearch& found) { return collect(found); });
+      index, parts, [&] { return start_; }, [&](const HexSearch& found) { return collect(found); });
 }
 
 void HexmeshProblem::go_on(HexFrontier& frontier, const search::PoolOptions& options,
                            const std::function<bool()>& after_round) const {
   search::explore_pending(
-      frontier, options, [&] { return HexSearch(boundary_, limits_); },
+      frontier, options, [&] { return start_; },
       [&](const HexSearch& found) { return collect(found); }, after_round);
 }
 
 search::Estimate HexmeshProblem::estimate(std::uint64_t probes, std::uint64_t seed,
                                           int threads) const {
-  return search::estimate_nodes([&] { return HexSearch(boundary_, limits_); }, probes, seed,
-                                threads);
+  return search::estimate_nodes([&] { return start_; }, probes, seed, threads);
 }
 
 }  // namespace hexatlas::hexes

@@ -60,6 +60,8 @@ class HexmeshProblem {
 
   complex::Quadrangulation boundary_;
   SearchLimits limits_;
+  HexSearch
+      start_;  ///< in its initial state: copied for each part, which is quicker than made anew
   BoundarySymmetry symmetry_;
 };
 

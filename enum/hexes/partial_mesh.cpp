@@ -3,14 +3,6 @@
 #include "enum/core/checks.hpp"
 
 namespace hexatlas::hexes {
-namespace {
-
-/// The facets of a hexahedron besides its bottom, as places in a Cell: the top, then the sides.
-constexpr std::array<std::array<std::uint8_t, 4>, 5> kOtherFacets{
-    {{4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-
-}  // namespace
-
 Facet tops_over(const Cell& cell, const Facet& facet) noexcept {
   Facet tops{};
   for (const TurnedFacet& turned : kTurnedFacets) {
@@ -257,7 +249,8 @@ void PartialMesh::complete() {
     done.closed[static_cast<std::size_t>(done.closed_count++)] = number;
   };
   close_one(bottom_);
-  for (const auto& places : kOtherFacets) {
+  for (std::size_t k = 1; k < kTurnedFacets.size(); ++k) {
+    const auto& places = kTurnedFacets[k].facet;
     const Facet f{cell[places[0]], cell[places[1]], cell[places[2]], cell[places[3]]};
     const int number = at_[f[0]][f[2]];
     if (number >= 0) {

@@ -39,6 +39,7 @@ using Cell = std::array<Vertex, 8>;
 struct TurnedFacet {
   std::array<std::uint8_t, 4> facet, above;
 };
+/// The bottom, the top, and the sides in the order in which they become facets of the mesh.
 inline constexpr std::array<TurnedFacet, 6> kTurnedFacets{{{{0, 1, 2, 3}, {4, 5, 6, 7}},
                                                            {{4, 5, 6, 7}, {0, 1, 2, 3}},
                                                            {{0, 1, 5, 4}, {3, 2, 6, 7}},
@@ -55,6 +56,13 @@ class FacetSet {
   void remove(int facet) noexcept { words_[word(facet)] &= ~mask(facet); }
   [[nodiscard]] bool has(int facet) const noexcept {
     return (words_[word(facet)] & mask(facet)) != 0;
+  }
+  /// How many members are less than a facet: the place of a member.
+  [[nodiscard]] std::size_t place_of(int facet) const noexcept {
+    std::size_t place = 0;
+    for (std::size_t w = 0; w < word(facet); ++w)
+      place += static_cast<std::size_t>(std::popcount(words_[w]));
+    return place + static_cast<std::size_t>(std::popcount(words_[word(facet)] & (mask(facet) - 1)));
   }
   template <class Visit>
   void for_each(Visit&& visit) const {

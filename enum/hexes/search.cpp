@@ -54,7 +54,7 @@ bool HexSearch::open_level() {
     if (is_refuted_by_budgets(left, level)) return false;
     const Tightest next = tightest(mesh_, open_, level.new_vertices);
     if (prunings_.candidates && next.is_refuted) {
-      refutation_.places.assign(1, open_.place_of(next.facet));
+      refutation_.places.assign(1, mesh_.open().place_of(next.facet));
       refute(Refutation::Rule::no_candidate);
       return false;
     }

@@ -6,6 +6,7 @@
 
 #include "enum/cells/cube.hpp"
 #include "enum/complex/quadrangulation.hpp"
+#include "enum/core/random.hpp"
 #include "enum/flips/front.hpp"
 #include "enum/flips/meeting.hpp"
 #include "meshing/simplify/small_meshes.hpp"
@@ -17,17 +18,12 @@ using complex::Hexahedron;
 using complex::HexComplex;
 using complex::Vertex;
 using complex::VertexId;
+using core::mixed;
 
 constexpr std::size_t kBallsPerBoundary = 24;
 constexpr int kSpare = 3;                             ///< hexahedra above the least ball known
 constexpr std::size_t kMaxSeenHexahedra = 4'000'000;  ///< 32 bytes each
 constexpr std::uint64_t kSearchNodes = 2000;
-
-std::uint64_t mixed(std::uint64_t x) noexcept {
-  x = (x ^ x >> 30U) * 0xBF58476D1CE4E5B9ULL;
-  x = (x ^ x >> 27U) * 0x94D049BB133111EBULL;
-  return x ^ x >> 31U;
-}
 
 /// Colours of the vertices, refined twice by the hexahedra around them, added up.
 std::uint64_t shape_of(const HexComplex& mesh, std::size_t boundary_vertices) {
