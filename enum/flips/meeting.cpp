@@ -173,7 +173,7 @@ std::optional<Filling> best_meeting(const BallSource& balls, const canon::Code& 
   const auto boundary = canon::decode(target);
   core::expects(boundary && boundary->is_three_connected(),
                 "only a 3-connected boundary has a filling");
-  Beam collars(State{target, {}}, options.collars);
+  Beam collars(State{target, options.apart}, options.collars);
   Matcher matcher(balls, options.below, options.collars.threads);
   std::size_t size = 1;
   for (int depth = 0; depth <= options.max_collar && size > 0; ++depth) {

@@ -71,6 +71,9 @@ struct MeetingOptions {
   int max_collar = 12;  ///< hexahedra
   int below = 1 << 14;  ///< only fillings with fewer hexahedra are of interest
   bool first = false;   ///< be content with the least filling by the thinnest collars that have one
+  /// Pairs of boundary vertices, in canonical labels, that no hexahedron may contain both of: what
+  /// is to be glued on outside relates them, or may do so.
+  Scars apart{};
 };
 
 /// The least filling of `target` among all meetings of a collar with a ball of `balls`, or

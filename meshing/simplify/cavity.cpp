@@ -9,12 +9,26 @@ namespace hexatlas::simplify {
 
 using complex::VertexId;
 
-Cavity::Cavity(const EditedMesh& mesh, KnownBalls& known)
-    : mesh_(mesh), known_(known), ball_(mesh.mesh(), mesh.neighbours(), 0) {}
+Cavity::Cavity(const EditedMesh& mesh, KnownBalls& known,
+               const std::vector<std::array<VertexId, 2>>& apart)
+    : mesh_(mesh), known_(known), apart_(apart), ball_(mesh.mesh(), mesh.neighbours(), 0) {}
 
 void Cavity::restart(core::Random& random) {
   weight_ = 1 << random.below(4);
   ball_.restart(static_cast<std::uint32_t>(random.below(mesh_.mesh().hexahedra.size())));
+}
+
+/// Of the pairs of boundary vertices those that may not be related inside, or are not by scars.
+flips::Relation Cavity::related_outside() const {
+  flips::Relation related = ball_.related_outside(mesh_.cells_at());
+  for (const auto& [a, b] : apart_) {
+    const complex::Vertex u = ball_.boundary_vertex(a);
+    const complex::Vertex v = ball_.boundary_vertex(b);
+    if (u == flips::kNewVertex || v == flips::kNewVertex) continue;
+    related[u] |= flips::bit(v);
+    related[v] |= flips::bit(u);
+  }
+  return related;
 }
 
 std::vector<Fit> Cavity::fits(int most) {
@@ -26,8 +40,7 @@ std::vector<Fit> Cavity::fits(int most) {
   if (std::none_of(known.begin(), known.end(),
                    [most](const Ball& ball) { return ball.hexahedra() <= most; }))
     return {};
-  const auto positions =
-      flips::positions_of(boundary, flags_, ball_.related_outside(mesh_.cells_at()));
+  const auto positions = flips::positions_of(boundary, flags_, related_outside());
   std::vector<Fit> result;
   for (std::size_t i = 0; i < positions.size(); ++i)
     for (const Ball& ball : known) {

@@ -7,6 +7,7 @@
 /// vertices on the boundary of the cavity is a scar both of the ball put in and of the hexahedra
 /// around it (docs/theory/proofs/front.md, section 5).
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -27,8 +28,10 @@ struct Fit {
 
 class Cavity {
  public:
-  /// Both outlive this. The mesh may change between one restart() and the next.
-  Cavity(const EditedMesh& mesh, KnownBalls& known);
+  /// All three outlive this. The mesh may change between one restart() and the next. Of the pairs
+  /// `apart` no hexahedron may contain both.
+  Cavity(const EditedMesh& mesh, KnownBalls& known,
+         const std::vector<std::array<complex::VertexId, 2>>& apart);
 
   /// A single hexahedron, chosen at random, as is how round the cavity will grow.
   void restart(core::Random& random);
@@ -47,8 +50,11 @@ class Cavity {
   void remember(core::Random& random);
 
  private:
+  [[nodiscard]] flips::Relation related_outside() const;
+
   const EditedMesh& mesh_;
   KnownBalls& known_;
+  const std::vector<std::array<complex::VertexId, 2>>& apart_;
   flips::SubBall ball_;
   canon::CanonicalFlags flags_;
   Ball own_;

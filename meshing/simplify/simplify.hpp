@@ -13,10 +13,12 @@
 /// pyramid" (IMR 2018), by search of each cavity. The test by scars is of this project
 /// (docs/theory/proofs/front.md, section 5).
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "enum/complex/hex_complex.hpp"
 #include "enum/flips/scars.hpp"
@@ -24,12 +26,17 @@
 
 namespace hexatlas::simplify {
 
+using VertexPair = std::array<complex::VertexId, 2>;
+
 struct Options {
   std::size_t tries = 20'000;  ///< cavities grown
   unsigned uphill = 2;         ///< hexahedra that meshes on the way may have above the least one
   std::uint64_t seed = 1;
   int max_cavity = 24;  ///< quads of the boundary of a cavity, at most flips::kMaxSearchQuads
   bool whole = true;    ///< the whole mesh may be exchanged, if its boundary is small enough
+  /// Pairs of boundary vertices that no hexahedron of an exchange may contain both of, if none of
+  /// the mesh given does: what is to be glued on outside may not allow it (enum/flips/front.hpp).
+  std::vector<VertexPair> apart{};
   const std::atomic<bool>* stop = nullptr;  ///< set from elsewhere to end early
   /// Called at times with the tries made and the least number of hexahedra so far.
   std::function<void(std::size_t tries, std::size_t hexahedra)> progress{};
