@@ -5,7 +5,7 @@ set -euo pipefail
 
 build_packages=(
   g++ cmake ninja-build pkg-config
-  libgmp-dev libnauty2-dev libcli11-dev libfmt-dev nlohmann-json3-dev
+  libboost-dev libgmp-dev libnauty2-dev libcli11-dev libfmt-dev nlohmann-json3-dev
   libzstd-dev zlib1g-dev libpugixml-dev libssl-dev
   libcadical-dev libz3-dev libsqlite3-dev
 )
