@@ -13,12 +13,13 @@ import sys
 
 OURS = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
 SYSTEM = re.compile(r'^\s*#\s*include\s*<([^>]+)>')
-SUFFIXES = {".hpp", ".cpp"}
+SCRIPT = re.compile(r"""^(?:import|export)\b.*["']([^"'.][^"']*)["'];?\s*$""")
+SUFFIXES = {".hpp", ".cpp", ".js"}
 THIRD_PARTY = {"nauty": r"nauty|naugroup|nausparse|gtools|traces", "omp": r"omp\.h", "mpi": r"mpi\.h",
                "gmp": r"gmp", "CGAL": r"CGAL/", "z3": r"z3", "Eigen": r"Eigen/", "cadical": r"cadical|ccadical",
                "sqlite": r"sqlite3", "zstd": r"zstd", "zlib": r"zlib\.h", "pugixml": r"pugixml", "openssl": r"openssl/",
                "json": r"nlohmann/", "cli11": r"CLI/", "fmt": r"fmt/",
-               "spdlog": r"spdlog/", "pybind": r"pybind11/|nanobind/|Python\.h", "gtest": r"g(test|mock)/",
+               "three": r"three\b", "spdlog": r"spdlog/", "pybind": r"pybind11/|nanobind/|Python\.h", "gtest": r"g(test|mock)/",
                "rapidcheck": r"rapidcheck", "benchmark": r"benchmark/"}
 
 
@@ -46,7 +47,7 @@ def layer_of(path, layers):
 
 
 def sources(root, layers):
-    """C++ files below the top-level folders of layers.txt; build trees lie elsewhere."""
+    """C++ and JavaScript files below the top-level folders of layers.txt; build trees lie elsewhere."""
     tops = sorted({name.split("/")[0] for name in layers})
     return [p for top in tops for p in sorted((root / top).rglob("*")) if p.suffix in SUFFIXES]
 
@@ -68,7 +69,7 @@ def violations(root, layers):
                     continue
                 elif "*" not in may_include or "*" in layers[target][0]:
                     yield f"{name}:{number}: {layer} must not include {target}"
-            elif system := SYSTEM.match(line):
+            elif system := SYSTEM.match(line) or (file.suffix == ".js" and SCRIPT.match(line)):
                 for library, pattern in THIRD_PARTY.items():
                     if re.match(pattern, system[1]) and library not in may_use:
                         yield f"{name}:{number}: {layer} must not use {library}"

@@ -63,7 +63,7 @@ class Usage(program.ProgramTest):
             self.assertEqual(self.listing(), [])
 
     def test_verb_missing(self):
-        self.wrong(said=("mesh, simplify, check, code, table",))
+        self.wrong(said=("mesh, simplify, view, check, code, table",))
         self.wrong("mesh", said=("hex", "`hexatlas mesh --help`"))
         self.wrong("table", said=("build", "info", "get", "check"))
 
