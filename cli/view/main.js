@@ -39,7 +39,7 @@ function hasWebgl() {
 }
 
 /** The picture of --png has the size asked for, whatever the window; a legend has its own room if there is enough. */
-function bindSize(stage, view, picture) {
+function bindSize(stage, view, picture, home) {
   if (picture) {
     const hasLegend = view.state.colour !== 'none' || view.state.singular.interior || view.state.singular.boundary;
     const room = hasLegend && picture[0] >= 900 ? LEGEND_PIXELS : 0;
@@ -48,7 +48,10 @@ function bindSize(stage, view, picture) {
     view.resize(width, height);
     return;
   }
-  const fitted = () => view.resize(Math.max(1, stage.clientWidth), Math.max(1, stage.clientHeight));
+  const fitted = () => {
+    view.resize(Math.max(1, stage.clientWidth), Math.max(1, stage.clientHeight));
+    if (view.isAtHome) home();
+  };
   new ResizeObserver(fitted).observe(stage);
   fitted();
 }
@@ -70,8 +73,11 @@ function start() {
   const panel = new Panel(mesh, state, view);
   view.afterUpdate.push(tell);
   view.afterDraw.push(() => drawAxes(byId('axes'), view.camera));
-  bindSize(byId('stage'), view, about.picture);
-  const home = () => view.look(...about.state.camera);
+  const home = () => {
+    view.look(...about.state.camera);
+    view.isAtHome = true;
+  };
+  bindSize(byId('stage'), view, about.picture, home);
   bindKeys(panel, home);
   bindClicks(canvas, view, panel);
   home();

@@ -25,6 +25,7 @@ export class View {
     this.controls.minDistance = 0.02;
     this.controls.maxDistance = 200;
     this.controls.addEventListener('change', () => this.redraw());
+    this.controls.addEventListener('start', () => { this.isAtHome = false; });
     this.facets = new Facets(mesh);
     this.surface = new Mesh(this.facets.geometry, surfaceMaterial(EDGE_PIXELS * ratio));
     this.surface.frustumCulled = false;
@@ -33,6 +34,7 @@ export class View {
     this.scene = new Scene();
     this.scene.add(this.surface, this.singular.group);
     if (this.outline) this.scene.add(this.outline);
+    this.isAtHome = false; // nobody has turned the mesh yet: a new size of the window may move the camera
     this.afterDraw = [];
     this.afterUpdate = [];
     this.pending = { update: false, frame: 0 };
@@ -106,6 +108,7 @@ export class View {
   }
 
   show({ position, target }) {
+    this.isAtHome = false;
     this.camera.position.copy(position);
     this.controls.target.copy(target);
     this.controls.update();
