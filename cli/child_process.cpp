@@ -6,6 +6,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -69,6 +71,7 @@ class Attributes {
 pid_t started(const std::vector<std::string>& words, const std::string& log) {
   std::vector<std::string> copies = words;
   std::vector<char*> arguments;
+  arguments.reserve(copies.size() + 1);
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const FileActions actions(log);
@@ -104,14 +107,14 @@ std::optional<std::string> executable(const std::string& name) {
   return std::nullopt;
 }
 
-ChildResult run_child(const std::vector<std::string>& words, const std::string& log, int limit) {
+ChildResult run_child(const std::vector<std::string>& words, const std::string& log, int limit_seconds) {
   const std::atomic<bool>& stop = stop_requested();
   const double begin = seconds();
   const pid_t child = started(words, log);
   ChildResult result;
   int status = 0;
   while (::waitpid(child, &status, WNOHANG) == 0) {
-    const bool is_late = seconds() - begin > limit;
+    const bool is_late = seconds() - begin > limit_seconds;
     if (is_late || stop.load()) {
       result.ended = is_late ? Ended::by_timeout : Ended::by_request;
       ::kill(-child, SIGKILL);

@@ -25,6 +25,6 @@ struct ChildResult {
 /// has a process group of its own, of which nothing is left running. Throws ResourceFailure if it
 /// cannot be started.
 [[nodiscard]] ChildResult run_child(const std::vector<std::string>& words, const std::string& log,
-                                    int seconds);
+                                    int limit_seconds);
 
 }  // namespace hexatlas::cli
