@@ -88,7 +88,7 @@ export function valenceLegend(mesh, { interior, boundary }) {
     const valence = key >> 1;
     const colour = `#${valenceColour(valence).toString(16).padStart(6, '0')}`;
     const kind = key & 1 ? 'boundary' : 'interior';
-    return swatch(colour, mesh.isSolid ? `${valence} ${kind}` : `in ${valence}`, html('span', {}, grouped(count)));
+    return swatch(colour, mesh.isSolid ? `valence ${valence}, ${kind}` : `in ${valence}`, html('span', {}, grouped(count)));
   });
   return rows.length === 0 ? [] : [html('ul', { class: 'swatches' }, ...rows)];
 }

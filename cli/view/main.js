@@ -24,9 +24,9 @@ function fail(sentence) {
   byId('stage').replaceChildren(html('p', { class: 'failure', role: 'alert' }, sentence));
 }
 
-/** A click on a cell shows it alone; a click beside it shows all again. */
+/** A double click on a cell shows it alone, and the next one all again. */
 function bindClicks(canvas, view, panel) {
-  let down = null;
+  let down = [0, 0];
   canvas.addEventListener('pointerdown', (event) => { down = [event.clientX, event.clientY]; });
   canvas.addEventListener('dblclick', (event) => {
     if (Math.hypot(event.clientX - down[0], event.clientY - down[1]) > CLICK_PIXELS) return;
@@ -69,7 +69,7 @@ function start() {
   canvas.setAttribute('aria-label', `${mesh.count} cells of ${about.name} in space; drag to rotate`);
   const state = { ...structuredClone(about.state), selected: -1 };
   const ratio = about.picture ? 2 : window.devicePixelRatio;
-  const view = new View(canvas, mesh, state, { ratio });
+  const view = new View(canvas, mesh, state, { ratio, keepsFrame: Boolean(about.picture) });
   const panel = new Panel(mesh, state, view);
   view.afterUpdate.push(tell);
   view.afterDraw.push(() => drawAxes(byId('axes'), view.camera));

@@ -14,9 +14,9 @@ const EDGE_PIXELS = 0.75; // of each of the two facets at an edge
 const radians = (degrees) => (degrees * Math.PI) / 180;
 
 export class View {
-  constructor(canvas, mesh, state, { ratio }) {
+  constructor(canvas, mesh, state, { ratio, keepsFrame }) {
     Object.assign(this, { canvas, mesh, state });
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: keepsFrame });
     this.renderer.setPixelRatio(ratio);
     this.camera = new PerspectiveCamera(FIELD_DEGREES, 1, 0.01, 100);
     this.camera.up.set(0, 0, 1);

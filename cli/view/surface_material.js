@@ -23,7 +23,7 @@ const FRAGMENT = `
   const vec3 kInk = vec3(0.10, 0.14, 0.19);
   void main() {
     float light = abs(dot(normalize(v_normal + vec3(0.0, 0.0, 1e-5)), normalize(vec3(0.25, 0.45, 1.0))));
-    vec3 colour = v_colour * (0.66 + 0.36 * light);
+    vec3 colour = v_colour * (0.71 + 0.31 * light);
     vec4 perPixel = max(fwidth(v_sides), vec4(1e-6));
     vec4 pixels = v_sides / perPixel;
     float nearest = min(min(pixels.x, pixels.y), min(pixels.z, pixels.w));

@@ -13,8 +13,10 @@ import sys
 
 OURS = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
 SYSTEM = re.compile(r'^\s*#\s*include\s*<([^>]+)>')
-SCRIPT = re.compile(r"""^(?:import|export)\b.*["']([^"'.][^"']*)["'];?\s*$""")
-SUFFIXES = {".hpp", ".cpp", ".js"}
+SCRIPT = re.compile(r"""^(?:(?:import|export)\b|\}\s*from\b).*["']([^"'.][^"']*)["'];?\s*$""")
+NEVER = re.compile("(?!)")  # scripts include no layer
+SCRIPTS = {".js", ".mjs"}
+SUFFIXES = {".hpp", ".cpp"} | SCRIPTS
 THIRD_PARTY = {"nauty": r"nauty|naugroup|nausparse|gtools|traces", "omp": r"omp\.h", "mpi": r"mpi\.h",
                "gmp": r"gmp", "CGAL": r"CGAL/", "z3": r"z3", "Eigen": r"Eigen/", "cadical": r"cadical|ccadical",
                "sqlite": r"sqlite3", "zstd": r"zstd", "zlib": r"zlib\.h", "pugixml": r"pugixml", "openssl": r"openssl/",
@@ -60,8 +62,9 @@ def violations(root, layers):
             yield f"{name}:1: file belongs to no layer"
             continue
         may_include, may_use = layers[layer]
+        ours_of, system_of = (NEVER, SCRIPT) if file.suffix in SCRIPTS else (OURS, SYSTEM)
         for number, line in enumerate(file.read_text().splitlines(), start=1):
-            if ours := OURS.match(line):
+            if ours := ours_of.match(line):
                 target = layer_of(ours[1], layers)
                 if target is None:
                     yield f'{name}:{number}: "{ours[1]}" is not a path from the repository root'
@@ -69,7 +72,7 @@ def violations(root, layers):
                     continue
                 elif "*" not in may_include or "*" in layers[target][0]:
                     yield f"{name}:{number}: {layer} must not include {target}"
-            elif system := SYSTEM.match(line) or (file.suffix == ".js" and SCRIPT.match(line)):
+            elif system := system_of.match(line):
                 for library, pattern in THIRD_PARTY.items():
                     if re.match(pattern, system[1]) and library not in may_use:
                         yield f"{name}:{number}: {layer} must not use {library}"
