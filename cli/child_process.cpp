@@ -107,7 +107,8 @@ std::optional<std::string> executable(const std::string& name) {
   return std::nullopt;
 }
 
-ChildResult run_child(const std::vector<std::string>& words, const std::string& log, int limit_seconds) {
+ChildResult run_child(const std::vector<std::string>& words, const std::string& log,
+                      int limit_seconds) {
   const std::atomic<bool>& stop = stop_requested();
   const double begin = seconds();
   const pid_t child = started(words, log);
@@ -123,7 +124,7 @@ ChildResult run_child(const std::vector<std::string>& words, const std::string& 
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-  ::kill(-child, SIGKILL);  // helpers that outlive it
+  ::kill(-child, SIGKILL);  // children that outlive it
   result.status = exit_status(status);
   return result;
 }
