@@ -262,6 +262,7 @@ ExitCode run_command_line(int argc, char** argv) {
       "  hexatlas mesh hex pyramid.obj -o pyramid.vtu     mesh a quadrangulated ball\n"
       "  hexatlas check pyramid.vtu --boundary pyramid.obj\n"
       "  hexatlas simplify large.vtu -o small.vtu          fewer hexahedra, the same boundary\n"
+      "  hexatlas view pyramid.vtu -o pyramid.html         the mesh in 3D, in a browser\n"
       "  hexatlas table info\n"
       "  hexatlas enum triangulations hexahedron          the 174 subdivisions of the cube\n"
       "  hexatlas realize hexahedron -o hexahedron.hxc    coordinates and refutations\n"
@@ -273,6 +274,7 @@ ExitCode run_command_line(int argc, char** argv) {
   Action action;
   add_mesh(app, action);
   add_simplify(app, action);
+  add_view(app, action);
   add_check(app, action);
   add_code(app, action);
   add_table(app, action, command_line);

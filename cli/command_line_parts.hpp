@@ -30,6 +30,7 @@ void add_seed(CLI::App& command, std::uint64_t& seed);
 
 void add_mesh(CLI::App& app, Action& action);
 void add_simplify(CLI::App& app, Action& action);
+void add_view(CLI::App& app, Action& action);
 void add_enum(CLI::App& app, Action& action);
 void add_realize(CLI::App& app, Action& action);
 void add_reproduce(CLI::App& app, Action& action);

@@ -40,6 +40,25 @@ struct SimplifyOptions {
 };
 [[nodiscard]] ExitCode simplify_mesh(const SimplifyOptions& options);
 
+/// How `view` begins; on the page all of it can be changed.
+struct ViewState {
+  std::string colour;  ///< jacobian, layer or none; empty: jacobian where there are hexahedra
+  bool is_sliced = false, is_flipped = false;
+  std::string slice_axis = "x";
+  double slice_at = 0.5;  ///< fraction of the box
+  double explode = 0, shrink = 0;
+  unsigned peel = 0;
+  std::string singular = "none";        ///< or interior, boundary, all
+  double azimuth = 35, elevation = 25;  ///< degrees; of the camera, z is up
+};
+struct ViewOptions {
+  std::string input, output, png;
+  ViewState state;
+  int width = 1200, height = 900;  ///< of the picture
+  int timeout = 120;               ///< seconds for the browser
+};
+[[nodiscard]] ExitCode view_mesh(const ViewOptions& options);
+
 struct CheckOptions {
   std::string mesh, boundary, completeness;
   bool json = false;

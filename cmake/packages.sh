@@ -8,12 +8,13 @@ build_packages=(
   libboost-dev libgmp-dev libnauty2-dev libcli11-dev libfmt-dev nlohmann-json3-dev
   libzstd-dev zlib1g-dev libpugixml-dev libssl-dev
   libcadical-dev libz3-dev libsqlite3-dev
+  nodejs npm
 )
 # Tests, sanitizers and fuzzing, static analysis, and programs that read our files as a second road.
 test_packages=(
   libgtest-dev librapidcheck-dev libbenchmark-dev python3
   clang libclang-rt-14-dev libomp-14-dev clang-tidy
-  gmsh python3-vtk9 git
+  gmsh python3-vtk9 git chromium
 )
 
 die() {
@@ -36,7 +37,12 @@ if ! command -v dpkg-query >/dev/null; then
   exit 0
 fi
 
+# Node.js from elsewhere than Debian brings an npm, beside which that of Debian cannot be installed.
 is_installed() {
+  case $1 in
+    nodejs) command -v node >/dev/null && return ;;
+    npm) command -v npm >/dev/null && return ;;
+  esac
   [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null) == installed ]]
 }
 

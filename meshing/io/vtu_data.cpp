@@ -162,20 +162,6 @@ struct BlockSizes {
   return bytes;
 }
 
-[[nodiscard]] std::string to_base64(std::string_view bytes) {
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::string_view group = bytes.substr(i, 3);
-    std::uint32_t value = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      value = value << 8U | (k < group.size() ? static_cast<unsigned char>(group[k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text.push_back(k <= group.size() ? kAlphabet[value >> (18 - 6 * k) & 0x3FU] : '=');
-  }
-  return text;
-}
-
 [[nodiscard]] std::string compress_block(std::string_view bytes) {
   uLongf size = ::compressBound(bytes.size());
   std::string packed(size, '\0');
@@ -194,6 +180,20 @@ std::string decode_array(std::string_view data, const VtuEncoding& encoding, con
   ByteStream stream(data, encoding.is_base64, place);
   return encoding.is_compressed ? decode_compressed(stream, encoding.header_bytes, place)
                                 : decode_plain(stream, encoding);
+}
+
+std::string to_base64(std::string_view bytes) {
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::string_view group = bytes.substr(i, 3);
+    std::uint32_t value = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      value = value << 8U | (k < group.size() ? static_cast<unsigned char>(group[k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text.push_back(k <= group.size() ? kAlphabet[value >> (18 - 6 * k) & 0x3FU] : '=');
+  }
+  return text;
 }
 
 std::string encode_array(std::string_view bytes) {

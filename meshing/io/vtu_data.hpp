@@ -38,6 +38,9 @@ struct Place {
 [[nodiscard]] std::string decode_array(std::string_view data, const VtuEncoding& encoding,
                                        const Place& place);
 
+/// The bytes as base64 text, padded, in one line.
+[[nodiscard]] std::string to_base64(std::string_view bytes);
+
 /// The array as base64 text, compressed, with headers of 8 bytes.
 [[nodiscard]] std::string encode_array(std::string_view bytes);
 

@@ -4,19 +4,9 @@
 #include <array>
 
 #include "enum/core/checks.hpp"
-#include "meshing/quality/hexahedron.hpp"
 
 namespace hexatlas::quality {
 namespace {
-
-Corners corners_of(const mesh::HexMesh& mesh, const std::array<mesh::Index, 8>& hexahedron) {
-  Corners corners{};
-  std::transform(hexahedron.begin(), hexahedron.end(), corners.begin(), [&mesh](mesh::Index i) {
-    core::expects(i < mesh.points.size(), "quality: index of a point out of range");
-    return mesh.points[i];
-  });
-  return corners;
-}
 
 void count(const Verdict& verdict, Report& report) {
   report.valid += verdict.validity == Validity::valid ? 1 : 0;
@@ -27,6 +17,15 @@ void count(const Verdict& verdict, Report& report) {
 }
 
 }  // namespace
+
+Corners corners_of(const mesh::HexMesh& mesh, const std::array<mesh::Index, 8>& hexahedron) {
+  Corners corners{};
+  std::transform(hexahedron.begin(), hexahedron.end(), corners.begin(), [&mesh](mesh::Index i) {
+    core::expects(i < mesh.points.size(), "quality: index of a point out of range");
+    return mesh.points[i];
+  });
+  return corners;
+}
 
 Report report(const mesh::HexMesh& mesh) {
   Report result;

@@ -6,9 +6,11 @@
 /// PreconditionViolated. Cost: linear; about a microsecond for each hexahedron that double
 /// precision decides, fifty and more for each of the others, which are counted.
 
+#include <array>
 #include <cstddef>
 
 #include "meshing/mesh/mesh.hpp"
+#include "meshing/quality/hexahedron.hpp"
 
 namespace hexatlas::quality {
 
@@ -23,6 +25,10 @@ struct Report {
   double mean_scaled_jacobian = 0;  ///< 0 for a mesh without hexahedra
   std::size_t exact_decisions = 0;  ///< hexahedra that double precision could not decide
 };
+
+/// The points of one hexahedron of the mesh.
+[[nodiscard]] Corners corners_of(const mesh::HexMesh& mesh,
+                                 const std::array<mesh::Index, 8>& hexahedron);
 
 [[nodiscard]] Report report(const mesh::HexMesh& mesh);
 

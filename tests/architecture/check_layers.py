@@ -13,12 +13,15 @@ import sys
 
 OURS = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
 SYSTEM = re.compile(r'^\s*#\s*include\s*<([^>]+)>')
-SUFFIXES = {".hpp", ".cpp"}
+SCRIPT = re.compile(r"""^(?:(?:import|export)\b|\}\s*from\b).*["']([^"'.][^"']*)["'];?\s*$""")
+NEVER = re.compile("(?!)")  # scripts include no layer
+SCRIPTS = {".js", ".mjs"}
+SUFFIXES = {".hpp", ".cpp"} | SCRIPTS
 THIRD_PARTY = {"nauty": r"nauty|naugroup|nausparse|gtools|traces", "omp": r"omp\.h", "mpi": r"mpi\.h",
                "gmp": r"gmp", "CGAL": r"CGAL/", "z3": r"z3", "Eigen": r"Eigen/", "cadical": r"cadical|ccadical",
                "sqlite": r"sqlite3", "zstd": r"zstd", "zlib": r"zlib\.h", "pugixml": r"pugixml", "openssl": r"openssl/",
                "json": r"nlohmann/", "cli11": r"CLI/", "fmt": r"fmt/",
-               "spdlog": r"spdlog/", "pybind": r"pybind11/|nanobind/|Python\.h", "gtest": r"g(test|mock)/",
+               "three": r"three\b", "spdlog": r"spdlog/", "pybind": r"pybind11/|nanobind/|Python\.h", "gtest": r"g(test|mock)/",
                "rapidcheck": r"rapidcheck", "benchmark": r"benchmark/"}
 
 
@@ -46,7 +49,7 @@ def layer_of(path, layers):
 
 
 def sources(root, layers):
-    """C++ files below the top-level folders of layers.txt; build trees lie elsewhere."""
+    """C++ and JavaScript files below the top-level folders of layers.txt; build trees lie elsewhere."""
     tops = sorted({name.split("/")[0] for name in layers})
     return [p for top in tops for p in sorted((root / top).rglob("*")) if p.suffix in SUFFIXES]
 
@@ -59,8 +62,9 @@ def violations(root, layers):
             yield f"{name}:1: file belongs to no layer"
             continue
         may_include, may_use = layers[layer]
+        ours_of, system_of = (NEVER, SCRIPT) if file.suffix in SCRIPTS else (OURS, SYSTEM)
         for number, line in enumerate(file.read_text().splitlines(), start=1):
-            if ours := OURS.match(line):
+            if ours := ours_of.match(line):
                 target = layer_of(ours[1], layers)
                 if target is None:
                     yield f'{name}:{number}: "{ours[1]}" is not a path from the repository root'
@@ -68,7 +72,7 @@ def violations(root, layers):
                     continue
                 elif "*" not in may_include or "*" in layers[target][0]:
                     yield f"{name}:{number}: {layer} must not include {target}"
-            elif system := SYSTEM.match(line):
+            elif system := system_of.match(line):
                 for library, pattern in THIRD_PARTY.items():
                     if re.match(pattern, system[1]) and library not in may_use:
                         yield f"{name}:{number}: {layer} must not use {library}"

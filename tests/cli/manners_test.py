@@ -15,7 +15,7 @@ import program
 import surfaces
 from table_files import TableTest
 
-VERBS = (["mesh", "hex"], ["check"], ["code"], ["table", "info"], ["table", "get"],
+VERBS = (["mesh", "hex"], ["view"], ["check"], ["code"], ["table", "info"], ["table", "get"],
          ["table", "check"], ["table", "build"])
 BUILD = ("table", "build", "-o", "a.hxt", "--max-quads", "6", "--max-hexahedra", "3", "--width", "50", "--rounds", "1", "--collared", "0")
 
@@ -63,7 +63,7 @@ class Usage(program.ProgramTest):
             self.assertEqual(self.listing(), [])
 
     def test_verb_missing(self):
-        self.wrong(said=("mesh, simplify, check, code, table",))
+        self.wrong(said=("mesh, simplify, view, check, code, table",))
         self.wrong("mesh", said=("hex", "`hexatlas mesh --help`"))
         self.wrong("table", said=("build", "info", "get", "check"))
 

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "cli/commands.hpp"
+#include "cli/mesh_output.hpp"
+#include "cli/output.hpp"
+#include "cli/view_page.hpp"
+#include "cli/view_picture.hpp"
+#include "enum/core/errors.hpp"
+#include "enum/core/files.hpp"
+#include "meshing/io/mesh_files.hpp"
+
+namespace hexatlas::cli {
+namespace {
+
+using AnyMesh = std::variant<mesh::HexMesh, mesh::FacetMesh>;
+
+std::string name_of(const ViewOptions& options) {
+  return options.input == "-" ? "standard input"
+                              : std::filesystem::path(options.input).filename().string();
+}
+
+/// The hexahedra of the file, or, if it has none, its triangles and quads. Of a file that has
+/// neither the first refusal is told.
+AnyMesh read_any(const ViewOptions& options) {
+  const bool is_stream = options.input == "-";
+  const std::string file = is_stream ? "standard input" : options.input;
+  const auto known = is_stream ? std::optional<io::FileFormat>() : io::format_of_path(file);
+  const std::string bytes = core::read_file(options.input);
+  const io::FileFormat format = known ? *known : io::detect_format(bytes, file);
+  if (!io::holds_hexahedra(format)) return io::parse_facets(bytes, format, file);
+  try {
+    return io::parse_hexahedra(bytes, format, file);
+  } catch (const core::InvalidInput&) {
+    try {
+      return io::parse_facets(bytes, format, file);
+    } catch (const core::InvalidInput&) {
+    }
+    throw;
+  }
+}
+
+ExitCode wrong_use(const std::string& reason) {
+  say(reason + ". See `hexatlas view --help`.");
+  return ExitCode::usage;
+}
+
+/// What of the options contradicts the mesh.
+std::string contradiction(const ViewOptions& options, const AnyMesh& mesh, const Page& page) {
+  const ViewState& state = options.state;
+  const bool is_surface = std::holds_alternative<mesh::FacetMesh>(mesh);
+  if (is_surface && !state.colour.empty() && state.colour != "none")
+    return "--colour " + state.colour + " is for hexahedra, and the mesh has none";
+  if (state.peel >= page.layers)
+    return fmt::format("--peel {} leaves nothing of a mesh with {}", state.peel,
+                       counted(page.layers, "layer", "layers"));
+  return "";
+}
+
+Page page_for(const AnyMesh& mesh, const PageRequest& request) {
+  return std::visit([&](const auto& some) { return page_of(some, request); }, mesh);
+}
+
+void expect_outputs_writable(const ViewOptions& options) {
+  for (const std::string& output : {options.output, options.png})
+    if (!output.empty()) core::expect_writable(output);
+}
+
+}  // namespace
+
+ExitCode view_mesh(const ViewOptions& options) {
+  if (options.output.empty() && options.png.empty())
+    return wrong_use("--output or --png is needed");
+  if (options.output == options.png) return wrong_use("--output and --png are the same file");
+  if (is_same_file(options.input, options.output) || is_same_file(options.input, options.png))
+    return wrong_use("MESH and an output are the same file");
+  if (page_parts().before.empty())
+    throw core::ResourceFailure(
+        "this program was built without the page of `view` (HEXATLAS_VIEW=OFF)");
+  expect_outputs_writable(options);
+  const std::string chromium = options.png.empty() ? "" : browser();
+  const AnyMesh mesh = read_any(options);
+  PageRequest request{name_of(options), options.state, {}};
+  const Page page = page_for(mesh, request);
+  if (const std::string fault = contradiction(options, mesh, page); !fault.empty())
+    return wrong_use(fault);
+  const std::string where = options.output == "-" || options.png == "-" ? "-" : "";
+  if (!options.png.empty()) {
+    request.picture = {options.width, options.height};
+    const std::string picture = picture_of(page_for(mesh, request).html, chromium,
+                                           {options.width, options.height, options.timeout});
+    if (picture.empty()) {
+      say("stopped; nothing was written");
+      return ExitCode::undecided;
+    }
+    core::write_file(options.png, picture);
+    tell(where, fmt::format("{}: {}\n", options.png, page.summary));
+  }
+  if (!options.output.empty()) {
+    core::write_file(options.output, page.html);
+    tell(where, fmt::format("{}: {}\n", options.output, page.summary));
+  }
+  return ExitCode::yes;
+}
+
+}  // namespace hexatlas::cli

@@ -1,0 +1,7 @@
+#include "cli/view_page.hpp"
+
+namespace hexatlas::cli {
+
+PageParts page_parts() { return {}; }
+
+}  // namespace hexatlas::cli

@@ -1,0 +1,175 @@
+#include "meshing/view/structure.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "enum/core/checks.hpp"
+
+namespace hexatlas::view {
+namespace {
+
+using mesh::Index;
+
+/// Corners v and v + 2^k for each axis k.
+constexpr std::array<std::array<cells::CubeVertex, 2>, 12> kEdges{{{0, 1},
+                                                                   {2, 3},
+                                                                   {4, 5},
+                                                                   {6, 7},
+                                                                   {0, 2},
+                                                                   {1, 3},
+                                                                   {4, 6},
+                                                                   {5, 7},
+                                                                   {0, 4},
+                                                                   {1, 5},
+                                                                   {2, 6},
+                                                                   {3, 7}}};
+
+struct FacetOfCell {
+  std::array<Index, 4> key{};  ///< the vertices, ascending
+  std::uint32_t cell = 0;
+  std::uint32_t facet = 0;
+};
+
+void expect_indices(const mesh::HexMesh& mesh) {
+  for (const auto& cell : mesh.hexahedra)
+    for (const Index v : cell)
+      core::expects(v < mesh.points.size(), "view: index of a point out of range");
+}
+
+std::vector<FacetOfCell> sorted_facets(const mesh::HexMesh& mesh) {
+  std::vector<FacetOfCell> facets;
+  facets.reserve(mesh.hexahedra.size() * cells::kCubeFacets);
+  for (std::uint32_t cell = 0; cell < mesh.hexahedra.size(); ++cell)
+    for (std::uint32_t f = 0; f < cells::kCubeFacets; ++f) {
+      FacetOfCell& facet = facets.emplace_back(FacetOfCell{{}, cell, f});
+      std::transform(cells::kFacetVertices[f].begin(), cells::kFacetVertices[f].end(),
+                     facet.key.begin(),
+                     [&](cells::CubeVertex corner) { return mesh.hexahedra[cell][corner]; });
+      std::sort(facet.key.begin(), facet.key.end());
+    }
+  std::sort(facets.begin(), facets.end(), [](const FacetOfCell& x, const FacetOfCell& y) {
+    return std::tie(x.key, x.cell, x.facet) < std::tie(y.key, y.cell, y.facet);
+  });
+  return facets;
+}
+
+/// One edge of one cell: the same edge comes once for each cell that has it.
+struct Use {
+  Index a = 0, b = 0;
+  bool is_boundary = false;
+};
+
+Use use_of(Index v, Index w, bool is_boundary) {
+  return {std::min(v, w), std::max(v, w), is_boundary};
+}
+
+/// The edges for which is_regular(edge) is false.
+template <class Regular>
+std::vector<Edge> irregular(std::vector<Use> uses, Regular is_regular) {
+  std::sort(uses.begin(), uses.end(),
+            [](const Use& x, const Use& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
+  std::vector<Edge> found;
+  for (std::size_t i = 0; i < uses.size();) {
+    Edge edge{uses[i].a, uses[i].b, 0, false};
+    for (; i < uses.size() && uses[i].a == edge.a && uses[i].b == edge.b; ++i) {
+      ++edge.valence;
+      edge.is_boundary |= uses[i].is_boundary;
+    }
+    if (!is_regular(edge)) found.push_back(edge);
+  }
+  return found;
+}
+
+/// Bit v for each corner v of the cube in this facet.
+constexpr std::array<unsigned, cells::kCubeFacets> corner_sets() {
+  std::array<unsigned, cells::kCubeFacets> sets{};
+  for (std::size_t f = 0; f < sets.size(); ++f)
+    for (const cells::CubeVertex v : cells::kFacetVertices[f]) sets[f] |= 1U << v;
+  return sets;
+}
+constexpr auto kCornerSets = corner_sets();
+
+}  // namespace
+
+Neighbours neighbours_of(const mesh::HexMesh& mesh) {
+  expect_indices(mesh);
+  Neighbours neighbours(mesh.hexahedra.size());
+  const std::vector<FacetOfCell> facets = sorted_facets(mesh);
+  for (std::size_t begin = 0, end = 0; begin < facets.size(); begin = end) {
+    while (end < facets.size() && facets[end].key == facets[begin].key) ++end;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t next = i + 1 < end ? i + 1 : begin;
+      neighbours[facets[i].cell][facets[i].facet] = next == i ? kNobody : facets[next].cell;
+    }
+  }
+  return neighbours;
+}
+
+std::vector<std::uint32_t> layers_of(const Neighbours& neighbours) {
+  std::vector<std::uint32_t> layer(neighbours.size(), kNobody);
+  std::vector<std::uint32_t> front;
+  for (std::uint32_t cell = 0; cell < neighbours.size(); ++cell)
+    if (std::find(neighbours[cell].begin(), neighbours[cell].end(), kNobody) !=
+        neighbours[cell].end()) {
+      layer[cell] = 0;
+      front.push_back(cell);
+    }
+  for (std::size_t at = 0; at < front.size(); ++at)  // breadth first; grows as it goes
+    for (const std::uint32_t next : neighbours[front[at]])
+      if (next != kNobody && layer[next] == kNobody) {
+        layer[next] = layer[front[at]] + 1;
+        front.push_back(next);
+      }
+  std::replace(layer.begin(), layer.end(), kNobody, 0U);
+  return layer;
+}
+
+std::vector<Edge> singular_edges(const mesh::HexMesh& mesh, const Neighbours& neighbours) {
+  expect_indices(mesh);
+  core::expects(neighbours.size() == mesh.hexahedra.size(), "view: neighbours are of this mesh");
+  std::vector<Use> uses;
+  uses.reserve(mesh.hexahedra.size() * kEdges.size());
+  for (std::size_t cell = 0; cell < mesh.hexahedra.size(); ++cell)
+    for (const auto& [v, w] : kEdges) {
+      bool is_boundary = false;
+      for (std::size_t f = 0; f < kCornerSets.size(); ++f)
+        is_boundary |= neighbours[cell][f] == kNobody && (kCornerSets[f] >> v & 1U) != 0 &&
+                       (kCornerSets[f] >> w & 1U) != 0;
+      uses.push_back(use_of(mesh.hexahedra[cell][v], mesh.hexahedra[cell][w], is_boundary));
+    }
+  return irregular(std::move(uses),
+                   [](const Edge& edge) { return edge.valence == (edge.is_boundary ? 2U : 4U); });
+}
+
+std::vector<Edge> singular_edges(const mesh::FacetMesh& surface) {
+  std::vector<Use> uses;
+  for (const mesh::Facet& facet : surface.facets)
+    for (std::size_t i = 0; i < facet.size; ++i)
+      uses.push_back(use_of(facet.vertices[i], facet.vertices[(i + 1) % facet.size], false));
+  std::vector<Edge> edges =
+      irregular(std::move(uses), [](const Edge& edge) { return edge.valence == 2; });
+  for (Edge& edge : edges) edge.is_boundary = edge.valence == 1;
+  return edges;
+}
+
+VertexCounts count_vertices(const mesh::HexMesh& mesh, const Neighbours& neighbours) {
+  expect_indices(mesh);
+  core::expects(neighbours.size() == mesh.hexahedra.size(), "view: neighbours are of this mesh");
+  enum : std::uint8_t { unused, interior, boundary };
+  std::vector<std::uint8_t> kind(mesh.points.size(), unused);
+  for (std::size_t cell = 0; cell < mesh.hexahedra.size(); ++cell) {
+    unsigned on_boundary = 0;
+    for (std::size_t f = 0; f < kCornerSets.size(); ++f)
+      if (neighbours[cell][f] == kNobody) on_boundary |= kCornerSets[f];
+    for (std::size_t v = 0; v < cells::kCubeVertices; ++v) {
+      std::uint8_t& known = kind[mesh.hexahedra[cell][v]];
+      known = std::max<std::uint8_t>(known, (on_boundary >> v & 1U) != 0 ? boundary : interior);
+    }
+  }
+  const auto interiors = std::count(kind.begin(), kind.end(), interior);
+  const auto idle = std::count(kind.begin(), kind.end(), unused);
+  return {mesh.points.size() - static_cast<std::size_t>(idle), static_cast<std::size_t>(interiors)};
+}
+
+}  // namespace hexatlas::view

@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// What a picture of a hexahedral mesh needs to know of its combinatorics: which hexahedra are
+/// behind which facets, how deep each one lies, and which edges are singular.
+///
+/// Definitions. Two facets are the same if their four vertices are. A facet is *free* if it is in
+/// one hexahedron only; an edge or a vertex is *on the boundary* if a free facet has it, otherwise
+/// *interior*. The *valence* of an edge is the number of hexahedra that have it. An interior edge
+/// is *singular* if its valence is not 4, an edge on the boundary if it is not 2. The *layer* of a
+/// hexahedron is 0 if it has a free facet, and otherwise one more than the least layer of the
+/// hexahedra with which it shares a facet: the distance from the boundary, in steps from
+/// hexahedron to hexahedron.
+///
+/// Requires. Indices below the number of points, else PreconditionViolated. No law of complexes
+/// is required: a facet may be in three hexahedra or more, or twice in one.
+/// Cost: n log n for n hexahedra, in sorting; some 100 bytes for each.
+/// Not promised: that a facet, an edge or a layer means anything where hexahedra meet in more
+/// than one vertex, edge or facet.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "enum/cells/cube.hpp"
+#include "meshing/mesh/mesh.hpp"
+
+namespace hexatlas::view {
+
+inline constexpr std::uint32_t kNobody = 0xFFFF'FFFFU;
+
+/// For each hexahedron and facet of the cube, the hexahedron on the other side; kNobody for a free
+/// facet. Of a facet in more than two hexahedra, they follow each other in a circle.
+using Neighbours = std::vector<std::array<std::uint32_t, cells::kCubeFacets>>;
+[[nodiscard]] Neighbours neighbours_of(const mesh::HexMesh& mesh);
+
+/// The layer of each hexahedron. Those that no way leads to from the boundary, in a mesh without
+/// free facets, are in layer 0.
+[[nodiscard]] std::vector<std::uint32_t> layers_of(const Neighbours& neighbours);
+
+struct Edge {
+  mesh::Index a = 0, b = 0;  ///< a < b
+  std::uint32_t valence = 0;
+  bool is_boundary = false;
+  friend bool operator==(const Edge&, const Edge&) = default;
+};
+
+/// The singular edges, by a, then b. Requires the neighbours of this mesh.
+[[nodiscard]] std::vector<Edge> singular_edges(const mesh::HexMesh& mesh,
+                                               const Neighbours& neighbours);
+
+/// The edges of triangles and quads that are not in two of them, by a, then b; the valence is the
+/// number of facets, and is_boundary is set if it is one.
+[[nodiscard]] std::vector<Edge> singular_edges(const mesh::FacetMesh& surface);
+
+struct VertexCounts {
+  std::size_t used = 0;      ///< in some hexahedron
+  std::size_t interior = 0;  ///< used, and not on the boundary
+};
+[[nodiscard]] VertexCounts count_vertices(const mesh::HexMesh& mesh, const Neighbours& neighbours);
+
+}  // namespace hexatlas::view
