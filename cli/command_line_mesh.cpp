@@ -4,6 +4,17 @@
 #include "enum/flips/scars.hpp"
 
 namespace hexatlas::cli {
+namespace {
+
+void add_effort(CLI::App& app, int& effort) {
+  app.add_option("--effort", effort,
+                 "Limit of the work to place interior vertices, about seconds on one core; 0: "
+                 "harmonic places only")
+      ->check(CLI::Range(0, untangle::kMaxEffort))
+      ->capture_default_str();
+}
+
+}  // namespace
 
 void add_mesh(CLI::App& app, Action& action) {
   auto* mesh = app.add_subcommand("mesh", "Make meshes");
@@ -20,6 +31,8 @@ void add_mesh(CLI::App& app, Action& action) {
   hex->add_flag("--json", options->json, "Print one JSON object");
   hex->add_flag("--require-valid", options->require_valid,
                 "Exit with 4 unless every hexahedron is proven valid");
+  add_effort(*hex, options->effort);
+  add_threads(*hex, options->threads);
   hex->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
               example("hexatlas mesh hex pyramid.obj -o pyramid.vtu"));
   hex->callback([options, &action] { action = [options] { return mesh_hex(*options); }; });
@@ -54,6 +67,7 @@ void add_simplify(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_flag("!--parts", search.whole, "Never take the whole mesh for a cavity");
   add_seed(*command, search.seed);
+  add_effort(*command, options->effort);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(
       "Boundary points stay bit for bit; interior ones are placed anew if the mesh gets smaller.\n"

@@ -1,4 +1,4 @@
 hexatlas_layer(meshing/hexahedrize
-  HEADERS hexahedrize.hpp smoothing.hpp
-  SOURCES hexahedrize.cpp smoothing.cpp
-  USES enum/core enum/cells enum/complex enum/canon realize/exact tables/format meshing/mesh)
+  HEADERS hexahedrize.hpp placing.hpp
+  SOURCES hexahedrize.cpp placing.cpp
+  USES enum/core enum/cells enum/complex enum/canon realize/exact realize/untangle tables/format meshing/mesh)
