@@ -14,6 +14,33 @@ void add_effort(CLI::App& app, int& effort) {
       ->capture_default_str();
 }
 
+void add_mesh_boundary(CLI::App& mesh, Action& action) {
+  auto* command = mesh.add_subcommand(
+      "boundary", "Mesh of the table with coordinates for a boundary that has none");
+  auto options = std::make_shared<MeshBoundaryOptions>();
+  command
+      ->add_option("BOUNDARY", options->boundary,
+                   "Name or canonical code of a boundary, or a file of quads, whose points are not "
+                   "used")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)")
+      ->required();
+  command->add_option("--table", options->table, "Table of meshes [the one beside the program]");
+  command->add_flag("--free-boundary", options->free_boundary,
+                    "Let the boundary move too; without, it is a convex polyhedron whose edges "
+                    "touch a sphere");
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->add_flag("--require-valid", options->require_valid,
+                    "Exit with 4 unless every hexahedron is proven valid");
+  add_effort(*command, options->effort);
+  add_threads(*command, options->threads);
+  command->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
+                  example("hexatlas mesh boundary schneiders-pyramid -o pyramid.vtu"));
+  command->callback([options, &action] { action = [options] { return mesh_boundary(*options); }; });
+}
+
 }  // namespace
 
 void add_mesh(CLI::App& app, Action& action) {
@@ -36,6 +63,7 @@ void add_mesh(CLI::App& app, Action& action) {
   hex->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
               example("hexatlas mesh hex pyramid.obj -o pyramid.vtu"));
   hex->callback([options, &action] { action = [options] { return mesh_hex(*options); }; });
+  add_mesh_boundary(*mesh, action);
 }
 
 void add_simplify(CLI::App& app, Action& action) {

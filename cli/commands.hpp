@@ -35,6 +35,17 @@ struct MeshHexOptions {
 };
 [[nodiscard]] ExitCode mesh_hex(const MeshHexOptions& options);
 
+struct MeshBoundaryOptions {
+  std::string boundary;  ///< a name, a canonical code, or a surface file
+  std::string output, table;
+  bool free_boundary = false;
+  bool json = false;
+  bool require_valid = false;
+  int effort = untangle::kDefaultEffort;
+  int threads = 0;  ///< 0: all processors
+};
+[[nodiscard]] ExitCode mesh_boundary(const MeshBoundaryOptions& options);
+
 struct SimplifyOptions {
   std::string input, output, table;
   bool without_table = false;

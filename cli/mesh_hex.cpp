@@ -86,9 +86,7 @@ ExitCode deliver(const MeshHexOptions& options, std::size_t quads,
   tell(options.output, options.json ? json_line(quads, made, report, seconds() - start)
                                     : summary(quads, made, report, options.output));
   if (!options.require_valid || report.valid == report.hexahedra) return ExitCode::yes;
-  say(fmt::format("{} not proven valid, of {}; the mesh was written all the same",
-                  counted(report.hexahedra - report.valid, "hexahedron is", "hexahedra are"),
-                  report.hexahedra));
+  say_not_valid(report);
   return ExitCode::undecided;
 }
 

@@ -67,6 +67,12 @@ std::string quality_text(const quality::Report& report) {
       counted(report.hexahedra, "hexahedron", "hexahedra"), report.inverted, bins);
 }
 
+void say_not_valid(const quality::Report& report) {
+  say(fmt::format("{} not proven valid, of {}; the mesh was written all the same",
+                  counted(report.hexahedra - report.valid, "hexahedron is", "hexahedra are"),
+                  report.hexahedra));
+}
+
 void tell(const std::string& output, const std::string& text) {
   if (output == "-")
     say_text(text);

@@ -29,4 +29,7 @@ void tell(const std::string& output, const std::string& text);
 /// Jacobian.
 [[nodiscard]] std::string quality_text(const quality::Report& report);
 
+/// That some hexahedra are not proven valid.
+void say_not_valid(const quality::Report& report);
+
 }  // namespace hexatlas::cli
