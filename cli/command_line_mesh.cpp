@@ -4,6 +4,44 @@
 #include "enum/flips/scars.hpp"
 
 namespace hexatlas::cli {
+namespace {
+
+void add_effort(CLI::App& app, int& effort) {
+  app.add_option("--effort", effort,
+                 "Limit of the work to place interior vertices, about seconds on one core; 0: "
+                 "harmonic places only")
+      ->check(CLI::Range(0, untangle::kMaxEffort))
+      ->capture_default_str();
+}
+
+void add_mesh_boundary(CLI::App& mesh, Action& action) {
+  auto* command = mesh.add_subcommand(
+      "boundary", "Mesh of the table with coordinates for a boundary that has none");
+  auto options = std::make_shared<MeshBoundaryOptions>();
+  command
+      ->add_option("BOUNDARY", options->boundary,
+                   "Name or canonical code of a boundary, or a file of quads, whose points are not "
+                   "used")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)")
+      ->required();
+  command->add_option("--table", options->table, "Table of meshes [the one beside the program]");
+  command->add_flag("--free-boundary", options->free_boundary,
+                    "Let the boundary move too; without, it is a convex polyhedron whose edges "
+                    "touch a sphere");
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->add_flag("--require-valid", options->require_valid,
+                    "Exit with 4 unless every hexahedron is proven valid");
+  add_effort(*command, options->effort);
+  add_threads(*command, options->threads);
+  command->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
+                  example("hexatlas mesh boundary schneiders-pyramid -o pyramid.vtu"));
+  command->callback([options, &action] { action = [options] { return mesh_boundary(*options); }; });
+}
+
+}  // namespace
 
 void add_mesh(CLI::App& app, Action& action) {
   auto* mesh = app.add_subcommand("mesh", "Make meshes");
@@ -20,9 +58,12 @@ void add_mesh(CLI::App& app, Action& action) {
   hex->add_flag("--json", options->json, "Print one JSON object");
   hex->add_flag("--require-valid", options->require_valid,
                 "Exit with 4 unless every hexahedron is proven valid");
+  add_effort(*hex, options->effort);
+  add_threads(*hex, options->threads);
   hex->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
               example("hexatlas mesh hex pyramid.obj -o pyramid.vtu"));
   hex->callback([options, &action] { action = [options] { return mesh_hex(*options); }; });
+  add_mesh_boundary(*mesh, action);
 }
 
 void add_simplify(CLI::App& app, Action& action) {
@@ -54,6 +95,7 @@ void add_simplify(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_flag("!--parts", search.whole, "Never take the whole mesh for a cavity");
   add_seed(*command, search.seed);
+  add_effort(*command, options->effort);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(
       "Boundary points stay bit for bit; interior ones are placed anew if the mesh gets smaller.\n"

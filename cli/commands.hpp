@@ -10,6 +10,7 @@
 
 #include "enum/quads/generate.hpp"
 #include "meshing/simplify/simplify.hpp"
+#include "realize/untangle/untangle.hpp"
 #include "tables/build/search.hpp"
 
 namespace hexatlas::cli {
@@ -29,13 +30,27 @@ struct MeshHexOptions {
   std::string input, output, table;
   bool json = false;
   bool require_valid = false;
+  int effort = untangle::kDefaultEffort;  ///< of placing the interior vertices
+  int threads = 0;                        ///< 0: all processors
 };
 [[nodiscard]] ExitCode mesh_hex(const MeshHexOptions& options);
+
+struct MeshBoundaryOptions {
+  std::string boundary;  ///< a name, a canonical code, or a surface file
+  std::string output, table;
+  bool free_boundary = false;
+  bool json = false;
+  bool require_valid = false;
+  int effort = untangle::kDefaultEffort;
+  int threads = 0;  ///< 0: all processors
+};
+[[nodiscard]] ExitCode mesh_boundary(const MeshBoundaryOptions& options);
 
 struct SimplifyOptions {
   std::string input, output, table;
   bool without_table = false;
   bool json = false;
+  int effort = untangle::kDefaultEffort;  ///< of placing the interior vertices
   simplify::Options search;
 };
 [[nodiscard]] ExitCode simplify_mesh(const SimplifyOptions& options);

@@ -7,6 +7,7 @@
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
 #include "enum/core/errors.hpp"
+#include "enum/parallel/parallel_for.hpp"
 #include "meshing/hexahedrize/hexahedrize.hpp"
 #include "meshing/io/mesh_files.hpp"
 #include "meshing/quality/report.hpp"
@@ -36,6 +37,7 @@ std::string json_line(std::size_t quads, const hexahedrize::Hexahedrized& made,
   json["mean_scaled_jacobian"] = report.mean_scaled_jacobian;
   json["inverted"] = report.inverted;
   json["valid"] = report.valid;
+  json["histogram"] = report.histogram;
   json["table_entry"] = made.code;
   json["seconds"] = elapsed;
   return to_line(json);
@@ -46,11 +48,10 @@ std::string summary(std::size_t quads, const hexahedrize::Hexahedrized& made,
   return fmt::format(
       "{}: {}, {}, boundary of {} quads\n"
       "table entry {}\n"
-      "scaled Jacobian: minimum {:.4f}, mean {:.4f}; {} of {} proven valid, {} inverted\n",
+      "{}",
       output, counted(report.hexahedra, "hexahedron", "hexahedra"),
       counted(made.interior_vertices, "interior vertex", "interior vertices"), quads, made.code,
-      report.min_scaled_jacobian, report.mean_scaled_jacobian, report.valid,
-      counted(report.hexahedra, "hexahedron", "hexahedra"), report.inverted);
+      quality_text(report));
 }
 
 /// Whatever the table says, a mesh is written only if the judge accepts it.
@@ -85,9 +86,7 @@ ExitCode deliver(const MeshHexOptions& options, std::size_t quads,
   tell(options.output, options.json ? json_line(quads, made, report, seconds() - start)
                                     : summary(quads, made, report, options.output));
   if (!options.require_valid || report.valid == report.hexahedra) return ExitCode::yes;
-  say(fmt::format("{} not proven valid, of {}; the mesh was written all the same",
-                  counted(report.hexahedra - report.valid, "hexahedron is", "hexahedra are"),
-                  report.hexahedra));
+  say_not_valid(report);
   return ExitCode::undecided;
 }
 
@@ -102,7 +101,9 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
   const std::string name = options.input == "-" ? "standard input" : options.input;
   const mesh::SurfaceMesh surface = io::read_surface(options.input);
   const format::Table table = format::Table::open(table_path(options.table));
-  const auto answer = hexahedrize::hexahedrize(surface, table, name);
+  const auto answer = hexahedrize::hexahedrize(
+      surface, table, name,
+      {.effort = options.effort, .threads = parallel::threads_or_all(options.threads)});
   say_notes(answer.notes);
   if (const auto* impossible = std::get_if<hexahedrize::Impossible>(&answer.outcome)) {
     tell_without_mesh(options, name, "impossible", surface.quads.size(),

@@ -1,5 +1,7 @@
 #include "cli/mesh_output.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -53,6 +55,22 @@ void expect_mesh_writable(const std::string& output) {
 
 void write_mesh(const std::string& output, const mesh::HexMesh& mesh) {
   io::write_hexahedra(output, mesh, format_on(output));
+}
+
+std::string quality_text(const quality::Report& report) {
+  std::string bins;
+  for (const std::size_t count : report.histogram) bins += fmt::format(" {}", count);
+  return fmt::format(
+      "scaled Jacobian: minimum {:.4f}, mean {:.4f}; {} of {} proven valid, {} inverted\n"
+      "hexahedra by tenths of it, from below 0.1 to 1:{}\n",
+      report.min_scaled_jacobian, report.mean_scaled_jacobian, report.valid,
+      counted(report.hexahedra, "hexahedron", "hexahedra"), report.inverted, bins);
+}
+
+void say_not_valid(const quality::Report& report) {
+  say(fmt::format("{} not proven valid, of {}; the mesh was written all the same",
+                  counted(report.hexahedra - report.valid, "hexahedron is", "hexahedra are"),
+                  report.hexahedra));
 }
 
 void tell(const std::string& output, const std::string& text) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "meshing/mesh/mesh.hpp"
+#include "meshing/quality/report.hpp"
 #include "tables/check/mesh.hpp"
 
 namespace hexatlas::cli {
@@ -23,5 +24,12 @@ void write_mesh(const std::string& output, const mesh::HexMesh& mesh);
 
 /// Data. With the mesh on standard output they go to standard error.
 void tell(const std::string& output, const std::string& text);
+
+/// Two lines: the scaled Jacobians and what is proven; the hexahedra by tenths of the scaled
+/// Jacobian.
+[[nodiscard]] std::string quality_text(const quality::Report& report);
+
+/// That some hexahedra are not proven valid.
+void say_not_valid(const quality::Report& report);
 
 }  // namespace hexatlas::cli

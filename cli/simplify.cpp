@@ -11,7 +11,8 @@
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
 #include "enum/core/errors.hpp"
-#include "meshing/hexahedrize/smoothing.hpp"
+#include "enum/parallel/parallel_for.hpp"
+#include "meshing/hexahedrize/placing.hpp"
 #include "meshing/io/mesh_files.hpp"
 #include "meshing/quality/report.hpp"
 #include "tables/check/mesh_check.hpp"
@@ -48,10 +49,12 @@ bool is_shown_ball(const mesh::HexMesh& mesh, const std::string& file) {
 }
 
 /// The mesh made, its interior vertices placed, judged as a whole.
-mesh::HexMesh placed(const complex::HexComplex& made, const mesh::SurfaceMesh& boundary) {
+mesh::HexMesh placed(const complex::HexComplex& made, const mesh::SurfaceMesh& boundary,
+                     int effort) {
   mesh::HexMesh mesh{boundary.points, made.hexahedra};
   mesh.points.resize(made.vertices);
-  hexahedrize::smooth(mesh, boundary.points.size());
+  hexahedrize::place(mesh, boundary.points.size(),
+                     {.effort = effort, .threads = parallel::available_threads()});
   const check::Surface surface = for_judge(boundary);
   const check::Verdict verdict = check::check_mesh(for_judge(mesh), &surface);
   if (!verdict.accepted && !verdict.undecided)
@@ -71,20 +74,17 @@ std::string json_line(std::size_t before, const mesh::HexMesh& mesh, std::size_t
   json["min_scaled_jacobian"] = report.min_scaled_jacobian;
   json["valid"] = report.valid;
   json["inverted"] = report.inverted;
+  json["histogram"] = report.histogram;
   return to_line(json);
 }
 
 std::string summary(std::size_t before, const mesh::HexMesh& mesh, std::size_t interior,
                     const simplify::Simplified& made, const std::string& output) {
   const quality::Report report = quality::report(mesh);
-  return fmt::format(
-      "{}: {}, {} before; {}; {}\n"
-      "scaled Jacobian: minimum {:.4f}, mean {:.4f}; {} of {} proven valid, {} inverted\n",
-      output, counted(report.hexahedra, "hexahedron", "hexahedra"), before,
-      counted(interior, "interior vertex", "interior vertices"),
-      counted(made.exchanges, "exchange", "exchanges"), report.min_scaled_jacobian,
-      report.mean_scaled_jacobian, report.valid,
-      counted(report.hexahedra, "hexahedron", "hexahedra"), report.inverted);
+  return fmt::format("{}: {}, {} before; {}; {}\n{}", output,
+                     counted(report.hexahedra, "hexahedron", "hexahedra"), before,
+                     counted(interior, "interior vertex", "interior vertices"),
+                     counted(made.exchanges, "exchange", "exchanges"), quality_text(report));
 }
 
 simplify::Simplified searched(const complex::HexComplex& mesh, const SimplifyOptions& options) {
@@ -116,7 +116,7 @@ ExitCode simplify_mesh(const SimplifyOptions& options) {
   const Start start = start_of(given);
   const simplify::Simplified made = searched(start.mesh, options);
   const bool is_smaller = made.mesh.hexahedra.size() < given.hexahedra.size();
-  const mesh::HexMesh mesh = is_smaller ? placed(made.mesh, start.boundary) : given;
+  const mesh::HexMesh mesh = is_smaller ? placed(made.mesh, start.boundary, options.effort) : given;
   write_mesh(options.output, mesh);
   const std::size_t interior = mesh.points.size() - start.boundary.points.size();
   const double elapsed = seconds() - begin;

@@ -7,7 +7,7 @@ build_packages=(
   g++ cmake ninja-build pkg-config
   libboost-dev libgmp-dev libnauty2-dev libcli11-dev libfmt-dev nlohmann-json3-dev
   libzstd-dev zlib1g-dev libpugixml-dev libssl-dev
-  libcadical-dev libz3-dev libsqlite3-dev
+  libcadical-dev libz3-dev libsqlite3-dev libeigen3-dev
   nodejs npm
 )
 # Tests, sanitizers and fuzzing, static analysis, and programs that read our files as a second road.

@@ -10,7 +10,7 @@
 #include "enum/complex/quad_surface.hpp"
 #include "enum/complex/quadrangulation.hpp"
 #include "enum/core/checks.hpp"
-#include "meshing/hexahedrize/smoothing.hpp"
+#include "meshing/hexahedrize/placing.hpp"
 #include "realize/exact/volume.hpp"
 
 namespace hexatlas::hexahedrize {
@@ -53,7 +53,7 @@ complex::HexComplex carried_over(complex::HexComplex mesh, const canon::Canonica
 }
 
 Hexahedrized with_coordinates(const complex::HexComplex& cells, const QuadSphere& sphere,
-                              const std::vector<Point>& points) {
+                              const std::vector<Point>& points, const untangle::Options& placing) {
   Hexahedrized result;
   result.interior_vertices = cells.vertices - sphere.vertices();
   result.mesh.points = points;
@@ -66,7 +66,7 @@ Hexahedrized with_coordinates(const complex::HexComplex& cells, const QuadSphere
     std::transform(cell.begin(), cell.end(), cell.begin(), point_of);
     result.mesh.hexahedra.push_back(cell);
   }
-  smooth(result.mesh, points.size());
+  place(result.mesh, points.size(), placing);
   return result;
 }
 
@@ -96,7 +96,7 @@ std::optional<complex::Quadrangulation> small_form(const QuadSphere& sphere) {
 }
 
 Answer hexahedrize(const mesh::SurfaceMesh& surface, const format::Table& table,
-                   const std::string& file) {
+                   const std::string& file, const untangle::Options& placing) {
   QuadSphere sphere = sphere_of(surface, file);
   Answer answer;
   const exact::Sign volume = sign_of_volume(sphere, surface.points);
@@ -127,7 +127,7 @@ Answer hexahedrize(const mesh::SurfaceMesh& surface, const format::Table& table,
   if (!complex::has_boundary(cells, sphere.quads))
     throw core::InvalidInput(table.path(),
                              "holds a mesh of another boundary under " + canon::to_text(form.code));
-  Hexahedrized made = with_coordinates(cells, sphere, surface.points);
+  Hexahedrized made = with_coordinates(cells, sphere, surface.points, placing);
   made.code = canon::to_text(form.code);
   answer.outcome = std::move(made);
   return answer;

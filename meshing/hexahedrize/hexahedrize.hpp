@@ -4,8 +4,8 @@
 /// in a table, and the mesh found there is carried over to the surface's own vertices.
 ///
 /// All of it is exact, the same on every machine, except where the interior vertices are placed:
-/// each becomes the mean of its neighbours (smoothing.hpp). Nothing is promised about the shape of
-/// the hexahedra; meshing/quality says what it is. That the mesh obeys the strict rule and is a
+/// that is done by realize/untangle. Nothing is promised about the shape of the hexahedra;
+/// meshing/quality says what it is. That the mesh obeys the strict rule and is a
 /// ball is the word of the table; tables/check is the judge of that.
 
 #include <cstddef>
@@ -16,6 +16,7 @@
 #include "enum/complex/quad_surface.hpp"
 #include "enum/complex/quadrangulation.hpp"
 #include "meshing/mesh/mesh.hpp"
+#include "realize/untangle/untangle.hpp"
 #include "tables/format/table.hpp"
 
 namespace hexatlas::hexahedrize {
@@ -61,8 +62,8 @@ struct Answer {
 
 /// `file` stands for the surface in messages.
 /// Throws InvalidInput if the surface is not a quadrangulated sphere, with the line of the quad
-/// at fault where it is known. Cost: O(n log n) for n quads, plus a look-up.
+/// at fault where it is known. Cost: O(n log n) for n quads, plus a look-up and the placing.
 [[nodiscard]] Answer hexahedrize(const mesh::SurfaceMesh& surface, const format::Table& table,
-                                 const std::string& file);
+                                 const std::string& file, const untangle::Options& placing = {});
 
 }  // namespace hexatlas::hexahedrize

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "enum/core/checks.hpp"
 
@@ -14,6 +15,11 @@ void count(const Verdict& verdict, Report& report) {
   report.undecided += verdict.validity == Validity::undecided ? 1 : 0;
   report.inverted += verdict.inverted ? 1 : 0;
   report.exact_decisions += verdict.exact ? 1 : 0;
+}
+
+std::size_t bin_of(double shape) {
+  constexpr double kBins = static_cast<double>(kHistogramBins);
+  return static_cast<std::size_t>(std::clamp(std::floor(kBins * shape), 0.0, kBins - 1));
 }
 
 }  // namespace
@@ -39,6 +45,7 @@ Report report(const mesh::HexMesh& mesh) {
     const double shape = scaled_jacobian(corners);
     result.min_scaled_jacobian = std::min(result.min_scaled_jacobian, shape);
     sum += shape;
+    ++result.histogram[bin_of(shape)];
   }
   result.mean_scaled_jacobian = sum / static_cast<double>(result.hexahedra);
   return result;

@@ -14,6 +14,8 @@
 
 namespace hexatlas::quality {
 
+inline constexpr std::size_t kHistogramBins = 10;
+
 /// valid + invalid + undecided == hexahedra; the words are those of hexahedron.hpp.
 struct Report {
   std::size_t hexahedra = 0;
@@ -23,6 +25,9 @@ struct Report {
   std::size_t inverted = 0;         ///< some corner determinant <= 0, decided exactly
   double min_scaled_jacobian = 0;   ///< 0 for a mesh without hexahedra
   double mean_scaled_jacobian = 0;  ///< 0 for a mesh without hexahedra
+  /// Hexahedra by scaled Jacobian s: bin i has those with i <= 10 s < i + 1, the first also those
+  /// with s < 0, the last also those with s = 1.
+  std::array<std::size_t, kHistogramBins> histogram{};
   std::size_t exact_decisions = 0;  ///< hexahedra that double precision could not decide
 };
 

@@ -5,7 +5,7 @@
 #include <exception>
 #include <string>
 
-#include "meshing/hexahedrize/smoothing.hpp"
+#include "meshing/hexahedrize/placing.hpp"
 #include "meshing/io/mesh_files.hpp"
 #include "tests/meshing/simplify/blow_up.hpp"
 
@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     mesh.hexahedra = made.hexahedra;
     mesh.points.resize(boundary);
     mesh.points.resize(made.vertices);
-    hexahedrize::smooth(mesh, boundary);
+    hexahedrize::place(mesh, boundary, {.effort = 0});
     io::write_hexahedra(argv[2], mesh);
     return 0;
   } catch (const std::exception& error) {

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/boundary_input.hpp"
+#include "cli/commands.hpp"
+#include "cli/mesh_output.hpp"
+#include "cli/output.hpp"
+#include "cli/table_path.hpp"
+#include "enum/canon/code.hpp"
+#include "enum/core/errors.hpp"
+#include "enum/parallel/parallel_for.hpp"
+#include "meshing/hexahedrize/placing.hpp"
+#include "meshing/quality/report.hpp"
+#include "tables/check/mesh_check.hpp"
+#include "tables/format/table.hpp"
+
+namespace hexatlas::cli {
+namespace {
+
+std::string json_line(const NamedBoundary& boundary, const mesh::HexMesh& mesh, bool free_boundary,
+                      const quality::Report& report, double elapsed) {
+  nlohmann::ordered_json json;
+  json["code"] = boundary.code;
+  json["quads"] = boundary.boundary.quads();
+  json["hexahedra"] = report.hexahedra;
+  json["interior_vertices"] =
+      mesh.points.size() - static_cast<std::size_t>(boundary.boundary.vertices());
+  json["free_boundary"] = free_boundary;
+  json["min_scaled_jacobian"] = report.min_scaled_jacobian;
+  json["mean_scaled_jacobian"] = report.mean_scaled_jacobian;
+  json["inverted"] = report.inverted;
+  json["valid"] = report.valid;
+  json["histogram"] = report.histogram;
+  json["seconds"] = elapsed;
+  return to_line(json);
+}
+
+std::string summary(const NamedBoundary& boundary, const mesh::HexMesh& mesh,
+                    const quality::Report& report, const std::string& output) {
+  const auto on_boundary = static_cast<std::size_t>(boundary.boundary.vertices());
+  return fmt::format(
+      "{}: {}, {}, boundary of {} quads\ntable entry {}\n{}", output,
+      counted(report.hexahedra, "hexahedron", "hexahedra"),
+      counted(mesh.points.size() - on_boundary, "interior vertex", "interior vertices"),
+      boundary.boundary.quads(), boundary.code, quality_text(report));
+}
+
+}  // namespace
+
+ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
+  const double start = seconds();
+  expect_mesh_writable(options.output);
+  const NamedBoundary boundary = boundary_from(options.boundary);
+  const format::Table table = format::Table::open(table_path(options.table));
+  const auto ordinal = table.find(canon::from_text(boundary.code).value());
+  if (!ordinal) {
+    say(fmt::format("{} ({} quads) is not in {}", boundary.code, boundary.boundary.quads(),
+                    table.path()));
+    return ExitCode::undecided;
+  }
+  using hexahedrize::Boundary;
+  const mesh::HexMesh mesh = hexahedrize::placed(
+      table.mesh(*ordinal), boundary.boundary,
+      options.free_boundary ? Boundary::free : Boundary::convex,
+      {.effort = options.effort, .threads = parallel::threads_or_all(options.threads)});
+  const check::Verdict verdict = check::check_mesh(for_judge(mesh), nullptr);
+  if (!verdict.accepted)
+    throw core::InvalidInput(table.path(), "holds a mesh that is not valid: " + verdict.reason);
+  write_mesh(options.output, mesh);
+  const quality::Report report = quality::report(mesh);
+  tell(options.output,
+       options.json ? json_line(boundary, mesh, options.free_boundary, report, seconds() - start)
+                    : summary(boundary, mesh, report, options.output));
+  if (!options.require_valid || report.valid == report.hexahedra) return ExitCode::yes;
+  say_not_valid(report);
+  return ExitCode::undecided;
+}
+
+}  // namespace hexatlas::cli

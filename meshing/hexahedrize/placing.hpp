@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// Places for the interior vertices of a mesh, or for all.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "enum/complex/hex_complex.hpp"
+#include "enum/complex/quadrangulation.hpp"
+#include "meshing/mesh/mesh.hpp"
+#include "realize/untangle/untangle.hpp"
+
+namespace hexatlas::hexahedrize {
+
+/// Moves the points from `first_free` on to where realize/untangle/untangle.hpp puts them; the
+/// points before stay bit for bit. Requires, promises and costs what that does.
+void place(mesh::HexMesh& mesh, std::size_t first_free, const untangle::Options& options);
+
+enum class Boundary : std::uint8_t {
+  convex,  ///< a Koebe polyhedron (realize/untangle/koebe.hpp)
+  free     ///< begins there, and then moves as the interior does
+};
+
+/// A mesh of which only the combinatorics are given, with places for all vertices; the vertices 0,
+/// 1, ... are those of its boundary. A free boundary may end anywhere: not promised is that it does
+/// not meet itself. Requires a 3-connected boundary and that the mesh has it, else
+/// PreconditionViolated.
+[[nodiscard]] mesh::HexMesh placed(const complex::HexComplex& cells,
+                                   const complex::Quadrangulation& boundary, Boundary kind,
+                                   const untangle::Options& options);
+
+}  // namespace hexatlas::hexahedrize
