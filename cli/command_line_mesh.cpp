@@ -54,7 +54,15 @@ void add_mesh(CLI::App& app, Action& action) {
   hex->add_option("-o,--output", options->output,
                   "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)")
       ->required();
+  hex->add_option(
+         "--method", options->method,
+         "table: only what the table has; construction: any size, at most 25 hexahedra per "
+         "quad; auto: the table where it can")
+      ->check(CLI::IsMember({"auto", "table", "construction"}))
+      ->capture_default_str();
   hex->add_option("--table", options->table, "Table of meshes [the one beside the program]");
+  hex->add_option("--sectors", options->sectors,
+                  "Sectors of the construction [those beside the program]");
   hex->add_flag("--json", options->json, "Print one JSON object");
   hex->add_flag("--require-valid", options->require_valid,
                 "Exit with 4 unless every hexahedron is proven valid");

@@ -27,7 +27,8 @@ enum class ExitCode : std::uint8_t {
 };
 
 struct MeshHexOptions {
-  std::string input, output, table;
+  std::string input, output, table, sectors;
+  std::string method = "auto";  ///< or "table", "construction"
   bool json = false;
   bool require_valid = false;
   int effort = untangle::kDefaultEffort;  ///< of placing the interior vertices

@@ -1,12 +1,16 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/mesh_output.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
 #include "enum/core/errors.hpp"
+#include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "meshing/hexahedrize/hexahedrize.hpp"
 #include "meshing/io/mesh_files.hpp"
@@ -26,6 +30,14 @@ void say_notes(const hexahedrize::SurfaceNotes& notes) {
   if (notes.turned_outwards) say("note: the quads faced inwards; all were turned over");
 }
 
+const char* name_of(hexahedrize::Method method) {
+  return method == hexahedrize::Method::table ? "table" : "construction";
+}
+
+double per_quad(const quality::Report& report, std::size_t quads) {
+  return static_cast<double>(report.hexahedra) / static_cast<double>(quads);
+}
+
 std::string json_line(std::size_t quads, const hexahedrize::Hexahedrized& made,
                       const quality::Report& report, double elapsed) {
   nlohmann::ordered_json json;
@@ -38,7 +50,10 @@ std::string json_line(std::size_t quads, const hexahedrize::Hexahedrized& made,
   json["inverted"] = report.inverted;
   json["valid"] = report.valid;
   json["histogram"] = report.histogram;
-  json["table_entry"] = made.code;
+  json["method"] = name_of(made.method);
+  json["hexahedra_per_quad"] = per_quad(report, quads);
+  json["table_entry"] = nullptr;
+  if (!made.code.empty()) json["table_entry"] = made.code;
   json["seconds"] = elapsed;
   return to_line(json);
 }
@@ -47,20 +62,21 @@ std::string summary(std::size_t quads, const hexahedrize::Hexahedrized& made,
                     const quality::Report& report, const std::string& output) {
   return fmt::format(
       "{}: {}, {}, boundary of {} quads\n"
-      "table entry {}\n"
+      "{}{}; {:.2f} hexahedra per quad\n"
       "{}",
       output, counted(report.hexahedra, "hexahedron", "hexahedra"),
-      counted(made.interior_vertices, "interior vertex", "interior vertices"), quads, made.code,
-      quality_text(report));
+      counted(made.interior_vertices, "interior vertex", "interior vertices"), quads,
+      made.code.empty() ? "by the linear construction" : "table entry ", made.code,
+      per_quad(report, quads), quality_text(report));
 }
 
-/// Whatever the table says, a mesh is written only if the judge accepts it.
+/// Whatever the table or a theorem says, a mesh is written only if the judge accepts it.
 void expect_accepted(const mesh::HexMesh& mesh, const mesh::SurfaceMesh& surface,
-                     const std::string& table) {
+                     const std::string& source) {
   const check::Surface boundary = for_judge(surface);
   const check::Verdict verdict = check::check_mesh(for_judge(mesh), &boundary);
   if (!verdict.accepted)
-    throw core::InvalidInput(table, "holds a mesh that is not valid: " + verdict.reason);
+    throw core::InvalidInput(source, "leads to a mesh that is not valid: " + verdict.reason);
 }
 
 /// Why there is no mesh: a sentence, and with --json an object that holds it. An empty code is one
@@ -90,6 +106,25 @@ ExitCode deliver(const MeshHexOptions& options, std::size_t quads,
   return ExitCode::undecided;
 }
 
+/// What the method may use.
+struct Sources {
+  std::optional<format::Table> table;
+  std::vector<format::Sector> sectors;
+  std::string sectors_path;
+};
+
+Sources sources_of(const MeshHexOptions& options) {
+  Sources result;
+  if (options.method != "construction")
+    result.table = format::Table::open(table_path(options.table));
+  if (options.method != "table") {
+    result.sectors_path = sectors_path(options.sectors);
+    result.sectors =
+        format::read_sectors(core::read_file(result.sectors_path), result.sectors_path);
+  }
+  return result;
+}
+
 }  // namespace
 
 ExitCode mesh_hex(const MeshHexOptions& options) {
@@ -100,9 +135,9 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
   }
   const std::string name = options.input == "-" ? "standard input" : options.input;
   const mesh::SurfaceMesh surface = io::read_surface(options.input);
-  const format::Table table = format::Table::open(table_path(options.table));
+  const Sources sources = sources_of(options);
   const auto answer = hexahedrize::hexahedrize(
-      surface, table, name,
+      surface, {sources.table ? &*sources.table : nullptr, sources.sectors}, name,
       {.effort = options.effort, .threads = parallel::threads_or_all(options.threads)});
   say_notes(answer.notes);
   if (const auto* impossible = std::get_if<hexahedrize::Impossible>(&answer.outcome)) {
@@ -112,13 +147,16 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
   }
   if (const auto* missing = std::get_if<hexahedrize::NotInTable>(&answer.outcome)) {
     const std::string reason = fmt::format(
-        "the boundary of {} quads{} is not in {}; a larger table may have it", missing->quads,
-        missing->code.empty() ? "" : ", canonical code " + missing->code + ",", table.path());
+        "the boundary of {} quads{} is not in {}; `--method auto` meshes it all the same",
+        missing->quads, missing->code.empty() ? "" : ", canonical code " + missing->code + ",",
+        sources.table.value().path());
     tell_without_mesh(options, name, "not_in_table", missing->quads, reason, missing->code);
     return ExitCode::undecided;
   }
   const auto& made = std::get<hexahedrize::Hexahedrized>(answer.outcome);
-  expect_accepted(made.mesh, surface, table.path());
+  expect_accepted(made.mesh, surface,
+                  made.method == hexahedrize::Method::table ? sources.table.value().path()
+                                                            : sources.sectors_path);
   return deliver(options, surface.quads.size(), made, start);
 }
 

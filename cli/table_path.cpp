@@ -7,6 +7,20 @@
 
 namespace hexatlas::cli {
 
+namespace {
+
+std::string shipped(const std::string& name, const std::string& advice) {
+  std::error_code error;
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  for (const char* place : {"tables", "../share/hexatlas/tables"}) {
+    std::string path = (folder / place / name).lexically_normal().string();
+    if (is_there(path)) return path;
+  }
+  throw core::InvalidInput((folder / "tables" / name).string(), advice);
+}
+
+}  // namespace
+
 bool is_there(const std::string& path) {
   std::error_code error;
   return std::filesystem::exists(path, error);
@@ -14,16 +28,16 @@ bool is_there(const std::string& path) {
 
 std::string table_path(const std::string& asked_for) {
   if (!asked_for.empty()) return asked_for;
-  std::error_code error;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  const auto folder = program.parent_path();
-  for (const char* place : {"tables/hexatlas.hxt", "../share/hexatlas/tables/hexatlas.hxt"}) {
-    std::string path = (folder / place).lexically_normal().string();
-    if (is_there(path)) return path;
-  }
-  throw core::InvalidInput((folder / "tables/hexatlas.hxt").string(),
-                           "the table that comes with the program is not there; name one "
-                           "with --table, or make one with `hexatlas table build`");
+  return shipped("hexatlas.hxt",
+                 "the table that comes with the program is not there; name one with --table, or "
+                 "make one with `hexatlas table build`");
+}
+
+std::string sectors_path(const std::string& asked_for) {
+  if (!asked_for.empty()) return asked_for;
+  return shipped("linear-bound.hxs",
+                 "the sectors that come with the program are not there; name a file with "
+                 "--sectors, or use --method table");
 }
 
 std::optional<build::Census> census_beside(const format::Table& table) {

@@ -19,6 +19,9 @@ namespace hexatlas::cli {
 /// Throws InvalidInput if it was not asked for and is not there.
 [[nodiscard]] std::string table_path(const std::string& asked_for);
 
+/// The same for the sectors of the linear construction.
+[[nodiscard]] std::string sectors_path(const std::string& asked_for);
+
 /// The census beside the file of a table, if there is one. Throws InvalidInput if it is damaged or
 /// the census of another table.
 [[nodiscard]] std::optional<build::Census> census_beside(const format::Table& table);

@@ -10,6 +10,7 @@
 #include "enum/complex/quad_surface.hpp"
 #include "enum/complex/quadrangulation.hpp"
 #include "enum/core/checks.hpp"
+#include "meshing/hexahedrize/linear.hpp"
 #include "meshing/hexahedrize/placing.hpp"
 #include "realize/exact/volume.hpp"
 
@@ -70,6 +71,31 @@ Hexahedrized with_coordinates(const complex::HexComplex& cells, const QuadSphere
   return result;
 }
 
+SurfaceNotes turned_outwards(QuadSphere& sphere, const mesh::SurfaceMesh& surface,
+                             const std::string& file) {
+  const exact::Sign volume = sign_of_volume(sphere, surface.points);
+  const bool is_tie = 2 * sphere.reversed == sphere.quads.size();
+  if (is_tie && volume == exact::Sign::zero)
+    throw core::InvalidInput(file,
+                             "half of the quads are oriented against the other half, and no volume "
+                             "is enclosed that would tell which half is right");
+  const bool faces_inwards = volume == exact::Sign::negative;
+  if (faces_inwards) turn_over(sphere);
+  return {sphere.unused_points, sphere.reversed, faces_inwards && !is_tie};
+}
+
+std::optional<complex::HexComplex> from_table(const format::Table* table,
+                                              const canon::CanonicalForm& form,
+                                              const QuadSphere& sphere) {
+  const auto ordinal = table == nullptr ? std::nullopt : table->find(form.code);
+  if (!ordinal) return std::nullopt;
+  complex::HexComplex cells = carried_over(table->mesh(*ordinal), form, sphere.vertices());
+  if (!complex::has_boundary(cells, sphere.quads))
+    throw core::InvalidInput(table->path(),
+                             "holds a mesh of another boundary under " + canon::to_text(form.code));
+  return cells;
+}
+
 }  // namespace
 
 QuadSphere sphere_of(const mesh::SurfaceMesh& surface, const std::string& file) {
@@ -95,40 +121,33 @@ std::optional<complex::Quadrangulation> small_form(const QuadSphere& sphere) {
   return complex::Quadrangulation::from_quads(quads);
 }
 
-Answer hexahedrize(const mesh::SurfaceMesh& surface, const format::Table& table,
-                   const std::string& file, const untangle::Options& placing) {
+Answer hexahedrize(const mesh::SurfaceMesh& surface, const Means& means, const std::string& file,
+                   const untangle::Options& placing) {
   QuadSphere sphere = sphere_of(surface, file);
   Answer answer;
-  const exact::Sign volume = sign_of_volume(sphere, surface.points);
-  const bool is_tie = 2 * sphere.reversed == sphere.quads.size();
-  if (is_tie && volume == exact::Sign::zero)
-    throw core::InvalidInput(file,
-                             "half of the quads are oriented against the other half, and no volume "
-                             "is enclosed that would tell which half is right");
-  const bool faces_inwards = volume == exact::Sign::negative;
-  if (faces_inwards) turn_over(sphere);
-  answer.notes = {sphere.unused_points, sphere.reversed, faces_inwards && !is_tie};
+  answer.notes = turned_outwards(sphere, surface, file);
   if (auto reason = complex::reason_against_filling(sphere)) {
     answer.outcome = Impossible{*std::move(reason)};
     return answer;
   }
-  const auto boundary = small_form(sphere);
-  if (!boundary) {
-    answer.outcome = NotInTable{sphere.quads.size(), {}};
+  std::string code;
+  if (const auto boundary = small_form(sphere)) {
+    const canon::CanonicalForm form = canon::canonical_form(*boundary);
+    code = canon::to_text(form.code);
+    if (const auto cells = from_table(means.table, form, sphere)) {
+      Hexahedrized made = with_coordinates(*cells, sphere, surface.points, placing);
+      made.code = code;
+      answer.outcome = std::move(made);
+      return answer;
+    }
+  }
+  if (means.sectors.empty()) {
+    answer.outcome = NotInTable{sphere.quads.size(), code};
     return answer;
   }
-  const canon::CanonicalForm form = canon::canonical_form(*boundary);
-  const auto ordinal = table.find(form.code);
-  if (!ordinal) {
-    answer.outcome = NotInTable{sphere.quads.size(), canon::to_text(form.code)};
-    return answer;
-  }
-  const complex::HexComplex cells = carried_over(table.mesh(*ordinal), form, sphere.vertices());
-  if (!complex::has_boundary(cells, sphere.quads))
-    throw core::InvalidInput(table.path(),
-                             "holds a mesh of another boundary under " + canon::to_text(form.code));
-  Hexahedrized made = with_coordinates(cells, sphere, surface.points, placing);
-  made.code = canon::to_text(form.code);
+  Hexahedrized made = with_coordinates(mesh_by_sectors(sphere, means.sectors).mesh, sphere,
+                                       surface.points, placing);
+  made.method = Method::construction;
   answer.outcome = std::move(made);
   return answer;
 }

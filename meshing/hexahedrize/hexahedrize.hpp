@@ -1,15 +1,18 @@
 #pragma once
 /// \file
-/// Hexahedral mesh of a ball given by a quad surface: the boundary's canonical code is looked up
-/// in a table, and the mesh found there is carried over to the surface's own vertices.
+/// Hexahedral mesh of a ball given by a quad surface. The boundary's canonical code is looked up
+/// in a table, and the mesh found there is carried over to the surface's own vertices; a boundary
+/// that is not in the table is meshed by the linear construction (linear.hpp).
 ///
 /// All of it is exact, the same on every machine, except where the interior vertices are placed:
 /// that is done by realize/untangle. Nothing is promised about the shape of the hexahedra;
-/// meshing/quality says what it is. That the mesh obeys the strict rule and is a
-/// ball is the word of the table; tables/check is the judge of that.
+/// meshing/quality says what it is. That the mesh obeys the strict rule and is a ball is the word
+/// of the table, or the theorem of the construction; tables/check is the judge of that.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 
@@ -17,15 +20,25 @@
 #include "enum/complex/quadrangulation.hpp"
 #include "meshing/mesh/mesh.hpp"
 #include "realize/untangle/untangle.hpp"
+#include "tables/format/sectors.hpp"
 #include "tables/format/table.hpp"
 
 namespace hexatlas::hexahedrize {
+
+/// What may be used: the table first, then the construction.
+struct Means {
+  const format::Table* table = nullptr;
+  std::span<const format::Sector> sectors{};  ///< none: no construction
+};
+
+enum class Method : std::uint8_t { table, construction };
 
 /// A mesh whose first points are those of the surface, bit for bit and in order; the quads in
 /// one hexahedron only are those of the surface, up to rotation and the notes on orientation.
 struct Hexahedrized {
   mesh::HexMesh mesh;
-  std::string code;  ///< of the boundary, which is the key of the table's entry
+  Method method = Method::table;
+  std::string code;  ///< of the boundary, the key of the table's entry; else empty
   std::size_t interior_vertices = 0;
 };
 
@@ -34,7 +47,7 @@ struct Impossible {
   std::string reason;  ///< one sentence without a full stop
 };
 
-/// The table has nothing for this boundary, which proves nothing.
+/// The table has nothing for this boundary, which proves nothing, and no construction was allowed.
 struct NotInTable {
   std::size_t quads = 0;
   std::string code;  ///< empty above 64 quads
@@ -62,8 +75,9 @@ struct Answer {
 
 /// `file` stands for the surface in messages.
 /// Throws InvalidInput if the surface is not a quadrangulated sphere, with the line of the quad
-/// at fault where it is known. Cost: O(n log n) for n quads, plus a look-up and the placing.
-[[nodiscard]] Answer hexahedrize(const mesh::SurfaceMesh& surface, const format::Table& table,
+/// at fault where it is known. Cost: O(n log n) for n quads, plus a look-up or the construction,
+/// and the placing.
+[[nodiscard]] Answer hexahedrize(const mesh::SurfaceMesh& surface, const Means& means,
                                  const std::string& file, const untangle::Options& placing = {});
 
 }  // namespace hexatlas::hexahedrize
