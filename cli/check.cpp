@@ -13,6 +13,7 @@
 #include "tables/check/file_bytes.hpp"
 #include "tables/check/malformed.hpp"
 #include "tables/check/mesh_check.hpp"
+#include "tables/check/sectors.hpp"
 
 namespace hexatlas::cli {
 namespace {
@@ -155,24 +156,69 @@ std::string sentence(const std::string& file, const check::BoundVerdict& verdict
       counted(verdict.records, "record", "records"));
 }
 
+/// Options that are for files of another kind; says so if there is one.
+bool has_option_of_others(const CheckOptions& options, const char* kind) {
+  if (options.boundary.empty() && options.completeness.empty()) return false;
+  say(fmt::format("--boundary is for meshes, --completeness for catalogues; {} is {}", options.mesh,
+                  kind));
+  return true;
+}
+
 ExitCode check_one_bound(const CheckOptions& options, std::string_view bytes) {
-  if (!options.boundary.empty() || !options.completeness.empty()) {
-    say("--boundary is for meshes, --completeness for catalogues; " + options.mesh +
-        " is a certificate of a lower bound");
-    return ExitCode::usage;
-  }
+  if (has_option_of_others(options, "a certificate of a lower bound")) return ExitCode::usage;
   const check::BoundVerdict verdict = check::check_bound_bytes(bytes, options.mesh);
   print(options.json ? json_line(verdict) : sentence(options.mesh, verdict));
   return verdict.accepted ? ExitCode::yes : ExitCode::no;
+}
+
+std::string json_line(const check::SectorsVerdict& verdict) {
+  nlohmann::ordered_json json;
+  json["accepted"] = verdict.accepted;
+  json["reason"] = verdict.fault;
+  json["sectors"] = verdict.sectors;
+  json["least"] = verdict.least;
+  json["least_without_scars"] = nullptr;
+  json["hexahedra_per_quad"] = nullptr;
+  if (verdict.accepted) {
+    const std::size_t least = verdict.least_without_scars;
+    json["least_without_scars"] = least;
+    if (least % 2 == 0)
+      json["hexahedra_per_quad"] = least / 2;
+    else
+      json["hexahedra_per_quad"] = static_cast<double>(least) / 2;
+  }
+  return to_line(json);
+}
+
+std::string sentence(const std::string& file, const check::SectorsVerdict& verdict) {
+  if (!verdict.accepted)
+    return fmt::format("{}: {}: {}\n", file, verdict.undecided ? "undecided" : "rejected",
+                       verdict.fault);
+  const std::size_t least = verdict.least_without_scars;
+  std::string text = fmt::format(
+      "{}: accepted: every 3-connected quadrangulation with an even number n of quads has a mesh "
+      "of "
+      "at most {}{} n hexahedra; {} of ",
+      file, least / 2, least % 2 == 0 ? "" : ".5", counted(verdict.sectors, "sector", "sectors"));
+  if (verdict.least != verdict.most) text += fmt::format("{} to ", verdict.least);
+  return text + fmt::format("{} hexahedra\n", verdict.most);
+}
+
+ExitCode check_all_sectors(const CheckOptions& options, std::string_view bytes) {
+  if (has_option_of_others(options, "a file of sectors")) return ExitCode::usage;
+  const check::SectorsVerdict verdict = check::check_sectors_bytes(bytes, options.mesh);
+  print(options.json ? json_line(verdict) : sentence(options.mesh, verdict));
+  return exit_code(verdict);
 }
 
 }  // namespace
 
 ExitCode check(const CheckOptions& options) {
   try {
-    // A catalogue or certificate is told by its first words, whatever its name; a mesh by its name.
+    // What is no mesh is told by its first words, whatever its name; a mesh by its name.
     const std::string bytes = check::bytes_of_file(options.mesh);
     if (check::is_bound(bytes)) return check_one_bound(options, bytes);
+    if (check::is_sectors(bytes)) return check_all_sectors(options, bytes);
     if (check::is_catalogue(bytes)) return check_one_catalogue(options, bytes);
     if (!options.completeness.empty()) {
       say("--completeness is for catalogues; " + options.mesh + " is none");

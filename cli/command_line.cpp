@@ -90,12 +90,13 @@ ExitCode wrong_usage(const CLI::App& app, const std::vector<std::string>& words,
 void add_check(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "check",
-      "Judge a hexahedral mesh, a catalogue of triangulations or a certificate of a lower bound; "
-      "shares no code with their makers");
+      "Judge a hexahedral mesh, a catalogue of triangulations, a certificate of a lower bound or "
+      "sectors; shares no code with their makers");
   auto options = std::make_shared<CheckOptions>();
   command
       ->add_option("FILE", options->mesh,
-                   "Mesh (.vtu .vtk .mesh .msh), catalogue (.hxc) or certificate (.hxb)")
+                   "Mesh (.vtu .vtk .mesh .msh), catalogue (.hxc), certificate (.hxb) or sectors "
+                   "(.hxs)")
       ->required();
   command->add_option("--boundary", options->boundary,
                       "Quad surface that the mesh must have as its boundary");

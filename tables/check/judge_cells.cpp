@@ -99,4 +99,13 @@ std::vector<Quad> sorted_cycles(std::vector<Quad> quads) {
 
 Quad reversed(const Quad& quad) { return {quad[0], quad[3], quad[2], quad[1]}; }
 
+std::string difference(const std::vector<Quad>& mesh, const std::vector<Quad>& surface) {
+  const auto [in_mesh, in_surface] =
+      std::mismatch(mesh.begin(), mesh.end(), surface.begin(), surface.end());
+  const bool surface_first =
+      in_mesh == mesh.end() || (in_surface != surface.end() && *in_surface < *in_mesh);
+  return surface_first ? "quad " + listed(*in_surface) + " is not a boundary quad of the mesh"
+                       : "boundary quad " + listed(*in_mesh) + " of the mesh is not among them";
+}
+
 }  // namespace hexatlas::check

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tables/check/mesh.hpp"
@@ -28,5 +29,9 @@ namespace hexatlas::check {
 /// All cycles with their least vertices first, in ascending order.
 [[nodiscard]] std::vector<Quad> sorted_cycles(std::vector<Quad> quads);
 [[nodiscard]] Quad reversed(const Quad& quad);
+/// A quad that is in one of two sorted lists and not in the other, and which list has it. The lists
+/// must differ.
+[[nodiscard]] std::string difference(const std::vector<Quad>& mesh,
+                                     const std::vector<Quad>& surface);
 
 }  // namespace hexatlas::check

@@ -45,16 +45,6 @@ bool is_coherent(const std::vector<Quad>& quads) {
   return true;
 }
 
-/// A quad that is in one of two sorted lists and not in the other, and which list has it.
-std::string difference(const std::vector<Quad>& mesh, const std::vector<Quad>& surface) {
-  const auto [in_mesh, in_surface] =
-      std::mismatch(mesh.begin(), mesh.end(), surface.begin(), surface.end());
-  const bool surface_first =
-      in_mesh == mesh.end() || (in_surface != surface.end() && *in_surface < *in_mesh);
-  return surface_first ? "quad " + listed(*in_surface) + " is not a boundary quad of the mesh"
-                       : "boundary quad " + listed(*in_mesh) + " of the mesh is not among them";
-}
-
 Finding check_surface_points(const Mesh& mesh, const Surface& surface) {
   if (mesh.points.size() < surface.points.size()) {
     return Failure{Law::kSurfacePoints, "the mesh has fewer points than the surface"};

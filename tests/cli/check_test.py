@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """Claim. `check` accepts a mesh with its boundary, says no (exit 1) to each damage that leaves the
-file well formed, and exit 3 to files that are not. The same for certificates of lower bounds.
+file well formed, and exit 3 to files that are not. The same for certificates of lower bounds and
+for sectors.
 Oracle. The damage is put in here: two cubes on one another, written out by hand; certificates of one
-record, the face budget: 8 quads, one hexahedron has 6.
+record, the face budget: 8 quads, one hexahedron has 6; a sector of 30 hexahedra from a file, and a
+layer of 26 around it, one for each quad.
 """
 import json
 import os
@@ -40,6 +42,39 @@ def certificate(hexahedra=1, interior=0, kind="ball", log=b"\x01"):
             f"hexahedra {hexahedra}\ninterior {interior}\nsymmetry no\nlog {len(log)}\n").encode() + log
     return (b"\x28\xb5\x2f\xfd\xa0" + struct.pack("<I", len(text)) +
             struct.pack("<I", len(text) << 3 | 1)[:3] + text)
+
+
+def scarred_sector():
+    """Vertices and hexahedra of the one sector of that file; it has scars."""
+    name = os.path.join(program.REPOSITORY, "tests", "tables", "check", "scarred.hxs")
+    with open(name, encoding="ascii") as file:
+        lines = file.read().splitlines()
+    return int(lines[1].split()[2]), [[int(v) for v in line.split()] for line in lines[2:]]
+
+
+def surface_of_sector():
+    """Quads counter-clockwise from outside, as in docs/formats/sectors.md."""
+    p, r = (6, 7, 9, 10, 12, 13), {1: 8, 3: 11, 5: 14}
+    quads = [[0, 1, 2, 3], [0, 3, 4, 5]]
+    for i in range(6):
+        b, w = (i, (i + 1) % 6)[::1 if i % 2 == 0 else -1]
+        y, z = 16 + 2 * i, 17 + 2 * i
+        wall = [[w, p[w], y, b], [p[w], r[w], z, y], [r[w], 15, p[b], z], [p[b], b, y, z]]
+        quads += [quad[::1 if i % 2 == 1 else -1] for quad in wall]
+    return quads
+
+
+def layer_around(sector):
+    vertices, cells = sector
+    return vertices + 28, [[a + 28, b + 28, d + 28, c + 28, a, b, d, c]
+                           for a, b, c, d in surface_of_sector()
+                           ] + [[v + 28 for v in cell] for cell in cells]
+
+
+def hxs(*sectors):
+    return "hexatlas sectors 1\n" + "".join(
+        f"sector {len(cells)} {vertices}\n" + "".join(" ".join(map(str, c)) + "\n" for c in cells)
+        for vertices, cells in sectors)
 
 
 class Check(program.ProgramTest):
@@ -179,6 +214,62 @@ class Check(program.ProgramTest):
         self.write_bytes("good.hxb", good)
         for option in ("--boundary", "--completeness"):
             self.assertEqual(self.hexatlas("check", "good.hxb", option, "good.obj").code, 2)
+
+    def test_sectors(self):
+        scarred = scarred_sector()
+        layered = layer_around(scarred)
+        claim = ("accepted: every 3-connected quadrangulation with an even number n of quads has a "
+                 "mesh of at most 28 n hexahedra; ")
+        for name, sectors, counts in (
+                ("two.hxs", (scarred, layered), "2 sectors of 30 to 56 hexahedra"),
+                ("named.vtk", (layered,), "1 sector of 56 hexahedra"),
+                ("four.hxs", (layer_around(layered), layered, scarred, layered),
+                 "4 sectors of 30 to 82 hexahedra")):
+            with self.subTest(file=name):
+                self.write(name, hxs(*sectors))
+                ran = self.expect(0, self.hexatlas("check", name))
+                self.assertEqual(ran.out, f"{name}: {claim}{counts}\n")
+                self.assertEqual(ran.err, "")
+                said = json.loads(self.expect(0, self.hexatlas("check", name, "--json")).out)
+                self.assertEqual(said, {
+                    "accepted": True, "reason": "", "sectors": len(sectors),
+                    "least": min(len(cells) for _, cells in sectors),
+                    "least_without_scars": 56, "hexahedra_per_quad": 28})
+
+    def test_sectors_rejected(self):
+        scarred = scarred_sector()
+        vertices, cells = layer_around(scarred)
+        mirrored = [[cell[i ^ 1] for i in range(8)] for cell in cells]
+        for name, sectors in {
+                "scars": (scarred,),
+                "a hexahedron is missing": (scarred, (vertices, cells[:-1])),
+                "a hexahedron twice": ((vertices, cells + cells[:1]),),
+                "mirrored": ((vertices, mirrored),),
+                "a gap": ((vertices + 1, cells),)}.items():
+            with self.subTest(damage=name):
+                self.write("bad.hxs", hxs(*sectors))
+                ran = self.expect(1, self.hexatlas("check", "bad.hxs"))
+                self.assertRegex(ran.out, r"\Abad\.hxs: rejected: [^\n]+\n\Z")
+                said = json.loads(self.expect(1, self.hexatlas("check", "bad.hxs", "--json")).out)
+                self.assertEqual(said, {
+                    "accepted": False, "reason": said["reason"], "sectors": len(sectors),
+                    "least": min(len(c) for _, c in sectors),
+                    "least_without_scars": None, "hexahedra_per_quad": None})
+                self.assertIn(said["reason"], ran.out)
+
+    def test_sectors_malformed(self):
+        good = hxs(layer_around(scarred_sector()))
+        for line, text in (
+                (1, good.replace("sectors 1", "sectors 2")), (1, good.replace("\n", "\r\n")),
+                (2, good.replace(" 77\n", " 077\n")), (2, "hexatlas sectors 1\n"),
+                (3, good.replace("28 29", "28  29", 1)), (58, good[:-1]), (59, good + "\n")):
+            with self.subTest(line=line):
+                self.write("bad.hxs", text)
+                self.assertEqual(self.expect_fault(self.hexatlas("check", "bad.hxs"), "bad.hxs"), line)
+        self.write("good.hxs", good)
+        for option in ("--boundary", "--completeness"):
+            ran = self.expect(2, self.hexatlas("check", "good.hxs", option, "good.obj"))
+            self.assertIn("good.hxs is a file of sectors", ran.err)
 
     def test_files_that_are_no_files(self):
         os.mkdir(self.path("folder.vtk"))

@@ -85,6 +85,17 @@ hexatlas_test(sabotage_bound_certificates_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/bound_certificates_test.cpp
   USES tables_check tables_build enum_hexes enum_canon)
 
+hexatlas_test(tables_check_sectors_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/sectors_test.cpp
+  USES tables_check)
+hexatlas_test(sabotage_sectors_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/sectors_sabotage_test.cpp
+  USES tables_check)
+foreach(name tables_check_sectors_test sabotage_sectors_test)
+  target_compile_definitions(${name} PRIVATE
+    HEXATLAS_SCARRED_SECTOR="${CMAKE_CURRENT_LIST_DIR}/scarred.hxs")
+endforeach()
+
 add_executable(sabotage_code_tool ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/code_tool.cpp)
 target_link_libraries(sabotage_code_tool PRIVATE tables_check)
 hexatlas_script_test(sabotage.reference_code fast Python3::Interpreter
