@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "cli/command_line_parts.hpp"
@@ -66,7 +68,11 @@ void add_mesh(CLI::App& app, Action& action) {
   hex->add_flag("--json", options->json, "Print one JSON object");
   hex->add_flag("--require-valid", options->require_valid,
                 "Exit with 4 unless every hexahedron is proven valid");
-  add_effort(*hex, options->effort);
+  hex->add_option("--effort", options->effort,
+                  fmt::format("Limit of the work to place interior vertices, about seconds on one "
+                              "core; 0: harmonic places only [{}; 0 for the construction]",
+                              untangle::kDefaultEffort))
+      ->check(CLI::Range(0, untangle::kMaxEffort));
   add_threads(*hex, options->threads);
   hex->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
               example("hexatlas mesh hex pyramid.obj -o pyramid.vtu"));

@@ -31,8 +31,9 @@ struct MeshHexOptions {
   std::string method = "auto";  ///< or "table", "construction"
   bool json = false;
   bool require_valid = false;
-  int effort = untangle::kDefaultEffort;  ///< of placing the interior vertices
-  int threads = 0;                        ///< 0: all processors
+  /// Of placing the interior vertices; by default it depends on the method.
+  std::optional<int> effort;
+  int threads = 0;  ///< 0: all processors
 };
 [[nodiscard]] ExitCode mesh_hex(const MeshHexOptions& options);
 

@@ -125,6 +125,15 @@ Sources sources_of(const MeshHexOptions& options) {
   return result;
 }
 
+hexahedrize::Placing placing_of(const MeshHexOptions& options) {
+  hexahedrize::Placing result;
+  for (untangle::Options* placing : {&result.table, &result.construction}) {
+    if (options.effort) placing->effort = *options.effort;
+    placing->threads = parallel::threads_or_all(options.threads);
+  }
+  return result;
+}
+
 }  // namespace
 
 ExitCode mesh_hex(const MeshHexOptions& options) {
@@ -138,7 +147,7 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
   const Sources sources = sources_of(options);
   const auto answer = hexahedrize::hexahedrize(
       surface, {sources.table ? &*sources.table : nullptr, sources.sectors}, name,
-      {.effort = options.effort, .threads = parallel::threads_or_all(options.threads)});
+      placing_of(options));
   say_notes(answer.notes);
   if (const auto* impossible = std::get_if<hexahedrize::Impossible>(&answer.outcome)) {
     tell_without_mesh(options, name, "impossible", surface.quads.size(),

@@ -122,7 +122,7 @@ std::optional<complex::Quadrangulation> small_form(const QuadSphere& sphere) {
 }
 
 Answer hexahedrize(const mesh::SurfaceMesh& surface, const Means& means, const std::string& file,
-                   const untangle::Options& placing) {
+                   const Placing& placing) {
   QuadSphere sphere = sphere_of(surface, file);
   Answer answer;
   answer.notes = turned_outwards(sphere, surface, file);
@@ -135,7 +135,7 @@ Answer hexahedrize(const mesh::SurfaceMesh& surface, const Means& means, const s
     const canon::CanonicalForm form = canon::canonical_form(*boundary);
     code = canon::to_text(form.code);
     if (const auto cells = from_table(means.table, form, sphere)) {
-      Hexahedrized made = with_coordinates(*cells, sphere, surface.points, placing);
+      Hexahedrized made = with_coordinates(*cells, sphere, surface.points, placing.table);
       made.code = code;
       answer.outcome = std::move(made);
       return answer;
@@ -146,7 +146,7 @@ Answer hexahedrize(const mesh::SurfaceMesh& surface, const Means& means, const s
     return answer;
   }
   Hexahedrized made = with_coordinates(mesh_by_sectors(sphere, means.sectors).mesh, sphere,
-                                       surface.points, placing);
+                                       surface.points, placing.construction);
   made.method = Method::construction;
   answer.outcome = std::move(made);
   return answer;

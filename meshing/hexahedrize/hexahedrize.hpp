@@ -33,6 +33,13 @@ struct Means {
 
 enum class Method : std::uint8_t { table, construction };
 
+/// How the interior vertices are placed, by the method that made the mesh. Where all sectors meet
+/// no work has made hexahedra valid so far, so there only harmonic places are the default.
+struct Placing {
+  untangle::Options table{};
+  untangle::Options construction{.effort = 0};
+};
+
 /// A mesh whose first points are those of the surface, bit for bit and in order; the quads in
 /// one hexahedron only are those of the surface, up to rotation and the notes on orientation.
 struct Hexahedrized {
@@ -78,6 +85,6 @@ struct Answer {
 /// at fault where it is known. Cost: O(n log n) for n quads, plus a look-up or the construction,
 /// and the placing.
 [[nodiscard]] Answer hexahedrize(const mesh::SurfaceMesh& surface, const Means& means,
-                                 const std::string& file, const untangle::Options& placing = {});
+                                 const std::string& file, const Placing& placing = {});
 
 }  // namespace hexatlas::hexahedrize

@@ -9,8 +9,7 @@ namespace hexatlas::simplify {
 
 using complex::VertexId;
 
-Cavity::Cavity(const EditedMesh& mesh, KnownBalls& known,
-               const std::vector<std::array<VertexId, 2>>& apart)
+Cavity::Cavity(const EditedMesh& mesh, KnownBalls& known, const Pairs* apart)
     : mesh_(mesh), known_(known), apart_(apart), ball_(mesh.mesh(), mesh.neighbours(), 0) {}
 
 void Cavity::restart(core::Random& random) {
@@ -21,7 +20,8 @@ void Cavity::restart(core::Random& random) {
 /// Of the pairs of boundary vertices those that may not be related inside, or are not by scars.
 flips::Relation Cavity::related_outside() const {
   flips::Relation related = ball_.related_outside(mesh_.cells_at());
-  for (const auto& [a, b] : apart_) {
+  if (apart_ == nullptr) return related;
+  for (const auto& [a, b] : *apart_) {
     const complex::Vertex u = ball_.boundary_vertex(a);
     const complex::Vertex v = ball_.boundary_vertex(b);
     if (u == flips::kNewVertex || v == flips::kNewVertex) continue;

@@ -28,10 +28,11 @@ struct Fit {
 
 class Cavity {
  public:
+  using Pairs = std::vector<std::array<complex::VertexId, 2>>;
+
   /// All three outlive this. The mesh may change between one restart() and the next. Of the pairs
-  /// `apart` no hexahedron may contain both.
-  Cavity(const EditedMesh& mesh, KnownBalls& known,
-         const std::vector<std::array<complex::VertexId, 2>>& apart);
+  /// `apart`, if there are any, no hexahedron may contain both.
+  Cavity(const EditedMesh& mesh, KnownBalls& known, const Pairs* apart = nullptr);
 
   /// A single hexahedron, chosen at random, as is how round the cavity will grow.
   void restart(core::Random& random);
@@ -54,7 +55,7 @@ class Cavity {
 
   const EditedMesh& mesh_;
   KnownBalls& known_;
-  const std::vector<std::array<complex::VertexId, 2>>& apart_;
+  const Pairs* apart_;
   flips::SubBall ball_;
   canon::CanonicalFlags flags_;
   Ball own_;

@@ -23,7 +23,7 @@ class Simplifier {
         random_(options.seed),
         known_(table),
         edited_(mesh),
-        cavity_(edited_, known_, options_.apart),
+        cavity_(edited_, known_, &options_.apart),
         best_(mesh),
         least_(edited_.size()) {}
 

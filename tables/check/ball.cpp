@@ -77,15 +77,21 @@ const Patch& patch_of(unsigned set) {
   return kPatches[set];
 }
 
+/// The hexahedra of the rest around a face: how many, and which one if it is one.
+struct Around {
+  std::uint32_t count = 0;
+  std::uint32_t parity = 0;  ///< their numbers, added bitwise without carry
+};
+
 /// A mesh from which hexahedra are taken off. Counts in how many of the rest each face lies.
 class Remainder {
  public:
   explicit Remainder(const Incidence& incidence)
       : incidence_(incidence),
         present_(incidence.cells.size(), true),
-        at_vertex_(incidence.vertex_count, 0),
-        at_edge_(incidence.edges.size(), 0),
-        at_facet_(incidence.facets.size(), 0) {
+        at_vertex_(incidence.vertex_count),
+        at_edge_(incidence.edges.size()),
+        at_facet_(incidence.facets.size()) {
     for (std::uint32_t c = 0; c < incidence.cells.size(); ++c) count(c, 1);
   }
 
@@ -98,15 +104,15 @@ class Remainder {
     unsigned edges = 0;
     unsigned vertices = 0;
     for (unsigned q = 0; q < 6; ++q) {
-      if (at_facet_[incidence_.facet_of[c][q]] > 1) set |= 1U << q;
+      if (at_facet_[incidence_.facet_of[c][q]].count > 1) set |= 1U << q;
     }
     const Patch& patch = patch_of(set);
     if (!patch.is_disc) return 0;
     for (unsigned e = 0; e < 12; ++e) {
-      if (at_edge_[incidence_.edge_of[c][e]] > 1) edges |= 1U << e;
+      if (at_edge_[incidence_.edge_of[c][e]].count > 1) edges |= 1U << e;
     }
     for (unsigned v = 0; v < 8; ++v) {
-      if (at_vertex_[incidence_.cells[c][v]] > 1) vertices |= 1U << v;
+      if (at_vertex_[incidence_.cells[c][v]].count > 1) vertices |= 1U << v;
     }
     if (edges != patch.edges || vertices != patch.vertices) return 0;
     return static_cast<unsigned>(std::popcount(set));
@@ -117,18 +123,34 @@ class Remainder {
     count(c, static_cast<std::uint32_t>(-1));
   }
 
+  /// Calls visit(d) for each hexahedron d of the rest that shares less with the others since c was
+  /// removed: it is now the only one at some face of c. A hexahedron may be visited repeatedly.
+  template <class Visit>
+  void for_each_freed_by(std::uint32_t c, Visit&& visit) const {
+    const auto visit_last = [&](const Around& around) {
+      if (around.count == 1) visit(around.parity);
+    };
+    for (const std::uint32_t vertex : incidence_.cells[c]) visit_last(at_vertex_[vertex]);
+    for (const std::uint32_t edge : incidence_.edge_of[c]) visit_last(at_edge_[edge]);
+    for (const std::uint32_t facet : incidence_.facet_of[c]) visit_last(at_facet_[facet]);
+  }
+
  private:
   void count(std::uint32_t c, std::uint32_t change) {
-    for (const std::uint32_t vertex : incidence_.cells[c]) at_vertex_[vertex] += change;
-    for (const std::uint32_t edge : incidence_.edge_of[c]) at_edge_[edge] += change;
-    for (const std::uint32_t facet : incidence_.facet_of[c]) at_facet_[facet] += change;
+    const auto note = [&](Around& around) {
+      around.count += change;
+      around.parity ^= c;
+    };
+    for (const std::uint32_t vertex : incidence_.cells[c]) note(at_vertex_[vertex]);
+    for (const std::uint32_t edge : incidence_.edge_of[c]) note(at_edge_[edge]);
+    for (const std::uint32_t facet : incidence_.facet_of[c]) note(at_facet_[facet]);
   }
 
   const Incidence& incidence_;
   std::vector<bool> present_;
-  std::vector<std::uint32_t> at_vertex_;
-  std::vector<std::uint32_t> at_edge_;
-  std::vector<std::uint32_t> at_facet_;
+  std::vector<Around> at_vertex_;
+  std::vector<Around> at_edge_;
+  std::vector<Around> at_facet_;
 };
 
 /// Greedy shelling backwards. Order 0 takes off a hexahedron with the fewest shared quads first,
@@ -151,9 +173,7 @@ class ShellingSearch {
       if (!rest_.present(c) || queued_[c] == 0 || rank != priority(c, queued_[c])) continue;
       rest_.remove(c);
       --left;
-      for (const std::uint32_t vertex : incidence_.cells[c]) {
-        for (const std::uint32_t d : incidence_.cells_at[vertex]) offer(d);
-      }
+      rest_.for_each_freed_by(c, [this](std::uint32_t d) { offer(d); });
     }
     return left == 1;
   }

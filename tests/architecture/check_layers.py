@@ -20,7 +20,7 @@ SUFFIXES = {".hpp", ".cpp"} | SCRIPTS
 THIRD_PARTY = {"nauty": r"nauty|naugroup|nausparse|gtools|traces", "omp": r"omp\.h", "mpi": r"mpi\.h",
                "gmp": r"gmp", "CGAL": r"CGAL/", "z3": r"z3", "Eigen": r"Eigen/", "cadical": r"cadical|ccadical",
                "sqlite": r"sqlite3", "zstd": r"zstd", "zlib": r"zlib\.h", "pugixml": r"pugixml", "openssl": r"openssl/",
-               "json": r"nlohmann/", "cli11": r"CLI/", "fmt": r"fmt/",
+               "json": r"nlohmann/", "cli11": r"CLI/", "fmt": r"fmt/", "boost": r"boost/",
                "three": r"three\b", "spdlog": r"spdlog/", "pybind": r"pybind11/|nanobind/|Python\.h", "gtest": r"g(test|mock)/",
                "rapidcheck": r"rapidcheck", "benchmark": r"benchmark/"}
 
