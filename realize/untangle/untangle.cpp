@@ -140,6 +140,10 @@ std::vector<exact::Point3> untangled(const Mesh& mesh, const Options& options) {
 
   Task task{mesh.hexahedra, mesh.is_free};
   for (std::size_t v = 0; v < is_used.size(); ++v) task.is_free[v] &= is_used[v];
+  for (const std::uint32_t v : listed)
+    core::expects(std::isfinite(mesh.points[v].x) && std::isfinite(mesh.points[v].y) &&
+                      std::isfinite(mesh.points[v].z),
+                  "untangle: finite coordinates");
   const Frame frame(mesh.points, listed);
   Points points = Points::Zero(3, static_cast<Eigen::Index>(mesh.points.size()));
   for (const std::uint32_t v : listed) points.col(v) = frame.inside(mesh.points[v]);

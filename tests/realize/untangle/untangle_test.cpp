@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "enum/core/errors.hpp"
@@ -160,6 +161,9 @@ TEST(Untangle, RequirementsAreChecked) {
   Mesh mesh = grids::cubes(1);
   EXPECT_THROW(static_cast<void>(untangled(mesh, {.effort = -1})), core::PreconditionViolated);
   EXPECT_THROW(static_cast<void>(untangled(mesh, {.threads = 0})), core::PreconditionViolated);
+  mesh.points[3].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(static_cast<void>(untangled(mesh, {})), core::PreconditionViolated);
+  mesh.points[3].y = 1;
   mesh.hexahedra[0][7] = 8;
   EXPECT_THROW(static_cast<void>(untangled(mesh, {})), core::PreconditionViolated);
   mesh.hexahedra[0][7] = 0;
