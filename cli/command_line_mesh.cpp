@@ -43,6 +43,32 @@ void add_mesh_boundary(CLI::App& mesh, Action& action) {
   command->callback([options, &action] { action = [options] { return mesh_boundary(*options); }; });
 }
 
+void add_mesh_untangle(CLI::App& mesh, Action& action) {
+  auto* command = mesh.add_subcommand(
+      "untangle", "Better places for the interior vertices of a mesh; the boundary stays");
+  auto options = std::make_shared<MeshUntangleOptions>();
+  command
+      ->add_option("MESH", options->input,
+                   "Hexahedral mesh: .vtu .vtk .mesh .msh, or - for standard input")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)")
+      ->required();
+  auto* harmonic =
+      command->add_flag("--harmonic", options->harmonic, "Forget where the interior vertices are");
+  command->add_flag("--free-boundary", options->free_boundary, "Move all vertices")
+      ->excludes(harmonic);
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->add_flag("--require-valid", options->require_valid,
+                    "Exit with 4 unless every hexahedron is proven valid");
+  add_effort(*command, options->effort);
+  add_threads(*command, options->threads);
+  command->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
+                  example("hexatlas mesh untangle mesh.vtu -o better.vtu"));
+  command->callback([options, &action] { action = [options] { return mesh_untangle(*options); }; });
+}
+
 }  // namespace
 
 void add_mesh(CLI::App& app, Action& action) {
@@ -78,6 +104,7 @@ void add_mesh(CLI::App& app, Action& action) {
               example("hexatlas mesh hex pyramid.obj -o pyramid.vtu"));
   hex->callback([options, &action] { action = [options] { return mesh_hex(*options); }; });
   add_mesh_boundary(*mesh, action);
+  add_mesh_untangle(*mesh, action);
 }
 
 void add_simplify(CLI::App& app, Action& action) {

@@ -48,6 +48,17 @@ struct MeshBoundaryOptions {
 };
 [[nodiscard]] ExitCode mesh_boundary(const MeshBoundaryOptions& options);
 
+struct MeshUntangleOptions {
+  std::string input, output;
+  bool harmonic = false;
+  bool free_boundary = false;
+  bool json = false;
+  bool require_valid = false;
+  int effort = untangle::kDefaultEffort;
+  int threads = 0;  ///< 0: all processors
+};
+[[nodiscard]] ExitCode mesh_untangle(const MeshUntangleOptions& options);
+
 struct SimplifyOptions {
   std::string input, output, table;
   bool without_table = false;

@@ -1,21 +1,50 @@
 #include "meshing/hexahedrize/placing.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
+#include "enum/cells/cube.hpp"
 #include "enum/core/checks.hpp"
 #include "realize/untangle/koebe.hpp"
 
 namespace hexatlas::hexahedrize {
 
+void place(mesh::HexMesh& mesh, std::vector<std::uint8_t> is_free,
+           const untangle::Options& options) {
+  untangle::Mesh given{{}, mesh.hexahedra, std::move(is_free)};
+  for (const mesh::Point& p : mesh.points) given.points.push_back({p.x, p.y, p.z});
+  const std::vector<exact::Point3> placed = untangle::untangled(given, options);
+  for (std::size_t v = 0; v < placed.size(); ++v)
+    mesh.points[v] = {placed[v].x, placed[v].y, placed[v].z};
+}
+
 void place(mesh::HexMesh& mesh, std::size_t first_free, const untangle::Options& options) {
   core::expects(first_free <= mesh.points.size(), "place: more fixed points than points");
-  untangle::Mesh given{{}, mesh.hexahedra, std::vector<std::uint8_t>(mesh.points.size(), 1)};
-  for (const mesh::Point& p : mesh.points) given.points.push_back({p.x, p.y, p.z});
-  std::fill_n(given.is_free.begin(), first_free, std::uint8_t{0});
-  const std::vector<exact::Point3> placed = untangle::untangled(given, options);
-  for (std::size_t v = first_free; v < placed.size(); ++v)
-    mesh.points[v] = {placed[v].x, placed[v].y, placed[v].z};
+  std::vector<std::uint8_t> is_free(mesh.points.size(), 1);
+  std::fill_n(is_free.begin(), first_free, std::uint8_t{0});
+  place(mesh, std::move(is_free), options);
+}
+
+std::vector<std::uint8_t> interior_points(const mesh::HexMesh& mesh) {
+  std::vector<std::array<mesh::Index, 4>> quads;
+  quads.reserve(6 * mesh.hexahedra.size());
+  for (const auto& cell : mesh.hexahedra)
+    for (const auto& facet : cells::kFacetVertices) {
+      std::array quad{cell[facet[0]], cell[facet[1]], cell[facet[2]], cell[facet[3]]};
+      std::sort(quad.begin(), quad.end());
+      quads.push_back(quad);
+    }
+  std::sort(quads.begin(), quads.end());
+  std::vector<std::uint8_t> is_interior(mesh.points.size(), 1);
+  for (auto first = quads.begin(); first != quads.end();) {
+    const auto last = std::upper_bound(first, quads.end(), *first);
+    if (last - first != 2)
+      for (const mesh::Index v : *first) is_interior[v] = 0;
+    first = last;
+  }
+  return is_interior;
 }
 
 mesh::HexMesh placed(const complex::HexComplex& cells, const complex::Quadrangulation& boundary,

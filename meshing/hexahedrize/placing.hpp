@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "enum/complex/hex_complex.hpp"
 #include "enum/complex/quadrangulation.hpp"
@@ -15,6 +16,13 @@ namespace hexatlas::hexahedrize {
 /// Moves the points from `first_free` on to where realize/untangle/untangle.hpp puts them; the
 /// points before stay bit for bit. Requires, promises and costs what that does.
 void place(mesh::HexMesh& mesh, std::size_t first_free, const untangle::Options& options);
+
+/// Likewise the points flagged, one flag per point.
+void place(mesh::HexMesh& mesh, std::vector<std::uint8_t> is_free,
+           const untangle::Options& options);
+
+/// 1 for each point all of whose quads are in two hexahedra.
+[[nodiscard]] std::vector<std::uint8_t> interior_points(const mesh::HexMesh& mesh);
 
 enum class Boundary : std::uint8_t {
   convex,  ///< a Koebe polyhedron (realize/untangle/koebe.hpp)

@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t kPairs = 8;
 constexpr double kSufficientDecrease = 1e-4;
 constexpr double kCurvature = 0.9;
-constexpr int kMaxTrials = 40;  ///< of a step length
+constexpr double kFirstStep = 1e-2;  ///< of a variable, in the mean
+constexpr int kMaxTrials = 40;       ///< of a step length
 constexpr std::size_t kStepsBack = 5;
 
 /// The last steps and the changes of the gradient over them.
@@ -104,7 +105,8 @@ Descent descend(const Objective& objective, Eigen::VectorXd& x, const DescentLim
       direction = -at.gradient;
     }
     const Place before = at;
-    const double length = is_first ? 1e-2 / steepness : 1;
+    const double length =
+        is_first ? kFirstStep * std::sqrt(static_cast<double>(x.size())) / steepness : 1;
     if (!step_along(objective, direction, length, at, limits.evaluations, result.evaluations)) {
       if (is_first) break;
       memory.clear();  // once more, along the gradient

@@ -19,6 +19,7 @@ using hexatlas::complex::Quadrangulation;
 using Plane = std::complex<double>;
 
 constexpr int kMaxNewtonSteps = 200;
+constexpr int kMaxHalvings = 20;
 constexpr int kMaxBoosts = 1000;
 constexpr double kTolerance = 1e-13;
 
@@ -110,8 +111,8 @@ class Pattern {
       const Eigen::VectorXd before = radius_;
       const Eigen::VectorXd step = newton_step(defect);
       const double norm = defect.norm();
-      for (double length = 1; length > 1e-6; length *= 0.5) {
-        radius_ = before + length * step;
+      for (int halvings = 0; halvings < kMaxHalvings; ++halvings) {
+        radius_ = before + std::ldexp(1.0, -halvings) * step;
         defect = defects();
         if (defect.norm() < norm) break;
       }
@@ -221,7 +222,7 @@ std::vector<exact::Point3> koebe_polyhedron(const Quadrangulation& sphere) {
       continue;
     }
     edge_of[d] = contacts.size();
-    contacts.push_back({0, 0, 0});
+    contacts.emplace_back(0, 0, 0);
     flat.push_back(pattern.contact(d));
   }
   Plane middle = 0;

@@ -1,5 +1,6 @@
 #include "realize/untangle/raise.hpp"
 
+#include <cmath>
 #include <cstddef>
 
 #include "realize/untangle/energies.hpp"
@@ -8,8 +9,7 @@
 namespace hexatlas::untangle {
 namespace {
 
-constexpr double kFirstPower = 2;
-constexpr double kLastPower = 256;
+constexpr int kPowers = 8;  ///< 2, 4, ..., 256
 constexpr int kDescentsPerPower = 3;
 constexpr int kMaxRetries = 3;
 constexpr double kSizeWeight = 1e-3;
@@ -44,7 +44,8 @@ void raise(Problem& problem, Variables& x, Work& work) {
     return standings_of(problem.points_at(at), problem.all_cells(), work.threads());
   };
   std::vector<Standing> standing = standings(x);
-  for (double power = kFirstPower; power <= kLastPower; power *= 2) {
+  for (int exponent = 1; exponent <= kPowers; ++exponent) {
+    const double power = std::ldexp(1.0, exponent);
     int retries = 0;
     for (int i = 0; i < kDescentsPerPower && !work.is_done(problem); ++i) {
       const double least = least_of(problem, x).scaled;

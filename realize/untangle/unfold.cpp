@@ -11,6 +11,7 @@ namespace hexatlas::untangle {
 namespace {
 
 constexpr int kMaxSteps = 60;
+constexpr double kStepsAtLeast = 20;   ///< there should be work for so many
 constexpr int kStepsWhenUnfolded = 4;  ///< taken with all determinants positive, for the shape
 constexpr DescentLimits kPerStep{300, 1e-7};
 
@@ -35,11 +36,15 @@ Least least_of(const Problem& problem, const Variables& x) {
 }
 
 bool unfold(const Problem& problem, double lambda, Variables& x, Work& work) {
+  DescentLimits per_step = kPerStep;
+  const double evaluations = work.left() / static_cast<double>(problem.cells());
+  per_step.evaluations =
+      static_cast<int>(std::clamp(evaluations / kStepsAtLeast, 10.0, 1.0 * per_step.evaluations));
   double epsilon = 1;
   double least = least_of(problem, x).determinant;
   int unfolded_steps = 0;
   for (int step = 0; step < kMaxSteps && !work.is_done(problem); ++step) {
-    const Descent descent = work.minimize(problem, Foldover{epsilon, lambda}, x, kPerStep);
+    const Descent descent = work.minimize(problem, Foldover{epsilon, lambda}, x, per_step);
     least = least_of(problem, x).determinant;
     epsilon = next_epsilon(epsilon, least, descent);
     unfolded_steps = least > 0 ? unfolded_steps + 1 : 0;

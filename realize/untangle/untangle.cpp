@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostCellsAtOnce = 20'000;  ///< larger meshes are improved in parts
 constexpr double kWorkPerEffort = 1e6;
-constexpr std::size_t kRings = 2;  ///< of cells about bad ones that move with them
+constexpr double kEvaluationsOfAPart = 100;  ///< wanted; else fewer points move
 constexpr int kMaxParts = 8;
 constexpr std::size_t kWorstCells = 2'000;
 
@@ -43,11 +43,12 @@ double volume_of(const Points& points, const std::vector<Cell>& cells) {
   return total;
 }
 
-/// The points of these cells and of those `rings` around them, as far as they may move.
-std::vector<std::uint8_t> free_near(const Task& task, const std::vector<std::uint8_t>& is_bad) {
+/// The points of these cells, and of those around them if there is a ring, as far as they may move.
+std::vector<std::uint8_t> free_near(const Task& task, const std::vector<std::uint8_t>& is_bad,
+                                    int rings) {
   std::vector<std::uint8_t> is_cell_near = is_bad;
   std::vector<std::uint8_t> is_near(task.is_free.size());
-  for (std::size_t ring = 0; ring < kRings; ++ring) {
+  for (int ring = 0; ring <= rings; ++ring) {
     for (std::size_t c = 0; c < task.cells.size(); ++c)
       if (is_cell_near[c] != 0)
         for (const std::uint32_t v : task.cells[c]) is_near[v] = 1;
@@ -105,15 +106,19 @@ Points placed_in_parts(const Task& task, Points points, Work& work) {
   for (int i = 0; i < kMaxParts && work.left() > 0; ++i) {
     bool is_any_bad = false;
     const auto is_bad = bad_cells(task, points, work.threads(), is_any_bad);
-    const Task part = part_of(task, free_near(task, is_bad));
+    Task part = part_of(task, free_near(task, is_bad, 1));
+    const auto wanted = [&part] {
+      return kEvaluationsOfAPart * static_cast<double>(part.cells.size());
+    };
+    if (work.left() < 2 * wanted()) part = part_of(task, free_near(task, is_bad, 0));
     if (part.cells.empty()) break;
-    Work own(work.left() / 2, work.threads());
+    Work own(std::min(work.left(), std::max(work.left() / 2, wanted())), work.threads());
     const double before = own.left();
     Placement best = judged(points, part.cells, work.threads());
     if (is_any_bad) best = unfolded(part, points, 1, own);
     points = raised(part, best, own).points;
     work.spend(before - own.left());
-    if (!is_any_bad) break;
+    if (!is_any_bad || before == own.left()) break;
   }
   return points;
 }
@@ -135,6 +140,10 @@ std::vector<exact::Point3> untangled(const Mesh& mesh, const Options& options) {
 
   Task task{mesh.hexahedra, mesh.is_free};
   for (std::size_t v = 0; v < is_used.size(); ++v) task.is_free[v] &= is_used[v];
+  for (const std::uint32_t v : listed)
+    core::expects(std::isfinite(mesh.points[v].x) && std::isfinite(mesh.points[v].y) &&
+                      std::isfinite(mesh.points[v].z),
+                  "untangle: finite coordinates");
   const Frame frame(mesh.points, listed);
   Points points = Points::Zero(3, static_cast<Eigen::Index>(mesh.points.size()));
   for (const std::uint32_t v : listed) points.col(v) = frame.inside(mesh.points[v]);

@@ -33,8 +33,8 @@ inline constexpr int kMaxEffort = 1000;
 struct Options {
   /// The limit of work: `effort` million evaluations of the energy of one hexahedron, about as many
   /// seconds on one core; a first start, which is linear, comes before. Small meshes need less;
-  /// those of more than 100,000 hexahedra per unit of effort are improved near bad hexahedra only.
-  /// With 0 free points are placed harmonically and no more.
+  /// those of more than 20,000 hexahedra are improved near bad hexahedra only. With 0 free points
+  /// are placed harmonically and no more.
   int effort = kDefaultEffort;
   int threads = 1;
   /// Begin with the places given instead of harmonic ones.

@@ -16,7 +16,7 @@ import program
 import surfaces
 
 KEYS = {"outcome", "quads", "hexahedra", "interior_vertices", "min_scaled_jacobian", "mean_scaled_jacobian",
-        "inverted", "valid", "table_entry", "seconds"}
+        "inverted", "valid", "histogram", "table_entry", "seconds"}
 OUTPUTS = (".vtk", ".vtu", ".mesh", ".msh")
 
 
@@ -65,7 +65,7 @@ class Inputs(MeshTest):
                     self.mesh_and_judge(surface, "out" + extension)
 
     def mesh_and_judge(self, surface, output):
-        ran = self.mesh(surface, "--json", output=output)
+        ran = self.mesh(surface, "--json", "--effort", "0", output=output)
         self.expect(0, ran)
         self.assertEqual(ran.err, "")
         self.assertEqual(ran.out.count("\n"), 1)
@@ -81,6 +81,7 @@ class Inputs(MeshTest):
             self.assertEqual(verdict[key], said[key])
         self.assertEqual(verdict["boundary_quads"], said["quads"])
         self.assertLessEqual(said["valid"] + said["inverted"], said["hexahedra"])
+        self.assertEqual((len(said["histogram"]), sum(said["histogram"])), (10, said["hexahedra"]))
         if output.endswith((".vtk", ".mesh")):
             reader = hex_files.read_vtk if output.endswith(".vtk") else hex_files.read_medit
             mesh = reader(self.read(output).decode())

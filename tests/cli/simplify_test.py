@@ -15,7 +15,8 @@ import hex_files
 import program
 import surfaces
 
-KEYS = {"before", "after", "interior_vertices", "exchanges", "seconds", "min_scaled_jacobian", "valid", "inverted"}
+KEYS = {"before", "after", "interior_vertices", "exchanges", "seconds", "min_scaled_jacobian", "valid", "inverted",
+        "histogram"}
 INPUTS = ("two-cubes", "rhombic-dodecahedron", "three-cubes-l", "trapezohedron-4", "schneiders-pyramid")
 
 

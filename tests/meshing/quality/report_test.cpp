@@ -41,6 +41,9 @@ TEST(Report, CountsByVerdict) {
   EXPECT_EQ(r.exact_decisions, 1U);  // the flat box
   EXPECT_DOUBLE_EQ(r.min_scaled_jacobian, -1);
   EXPECT_NEAR(r.mean_scaled_jacobian, (1 + 1 + 0 - 1 + 0.5) / 5, 1e-15);
+  EXPECT_EQ(r.histogram[0], 2U);                   // 0 and -1
+  EXPECT_EQ(r.histogram[9], 2U);                   // 1, twice
+  EXPECT_EQ(r.histogram[4] + r.histogram[5], 1U);  // 1/2 up to rounding
 }
 
 TEST(Report, OfNothing) {

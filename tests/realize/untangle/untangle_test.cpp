@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "enum/core/errors.hpp"
@@ -45,7 +46,7 @@ Mesh shaken(std::uint32_t n, double amplitude, support::Random& random) {
 TEST(Untangle, AScatteredGridBecomesValid) {
   support::Random random(1);
   for (const bool as_given : {false, true})
-    for (std::uint32_t n = 2; n <= 5; ++n) {
+    for (std::uint32_t n = 2; n <= 4; ++n) {
       Mesh mesh = shaken(n, 0.15, random);
       grids::scatter(mesh, n, random);
       ASSERT_LT(grids::least_jacobian(mesh, mesh.points), 0);
@@ -142,7 +143,7 @@ TEST(Untangle, AFreePointOfNoHexahedronStays) {
 
 /// Where no place is right, the answer is finite and the fixed points are kept.
 TEST(Untangle, ImpossibleBoundariesEndCleanly) {
-  std::vector<Mesh> impossible(5, grids::cubes(3));
+  std::vector<Mesh> impossible(5, grids::cubes(2));
   for (Point3& p : impossible[0].points) p.z = 0;                              // flat
   for (Point3& p : impossible[1].points) p.x = -p.x;                           // inside out
   for (Point3& p : impossible[2].points) p = {3, 3, 3};                        // one place
@@ -160,6 +161,9 @@ TEST(Untangle, RequirementsAreChecked) {
   Mesh mesh = grids::cubes(1);
   EXPECT_THROW(static_cast<void>(untangled(mesh, {.effort = -1})), core::PreconditionViolated);
   EXPECT_THROW(static_cast<void>(untangled(mesh, {.threads = 0})), core::PreconditionViolated);
+  mesh.points[3].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(static_cast<void>(untangled(mesh, {})), core::PreconditionViolated);
+  mesh.points[3].y = 1;
   mesh.hexahedra[0][7] = 8;
   EXPECT_THROW(static_cast<void>(untangled(mesh, {})), core::PreconditionViolated);
   mesh.hexahedra[0][7] = 0;
