@@ -70,13 +70,18 @@ std::string summary(std::size_t quads, const hexahedrize::Hexahedrized& made,
       per_quad(report, quads), quality_text(report));
 }
 
-/// Whatever the table or a theorem says, a mesh is written only if the judge accepts it.
-void expect_accepted(const mesh::HexMesh& mesh, const mesh::SurfaceMesh& surface,
-                     const std::string& source) {
+/// Whatever the table or a theorem says, a mesh is written only if the judge accepts it. That it is
+/// a ball the theorem may know better: the judge looks for a proof only so long.
+void expect_accepted(const hexahedrize::Hexahedrized& made, const mesh::SurfaceMesh& surface,
+                     const std::optional<format::Table>& table) {
   const check::Surface boundary = for_judge(surface);
-  const check::Verdict verdict = check::check_mesh(for_judge(mesh), &boundary);
-  if (!verdict.accepted)
-    throw core::InvalidInput(source, "leads to a mesh that is not valid: " + verdict.reason);
+  const check::Verdict verdict = check::check_mesh(for_judge(made.mesh), &boundary);
+  if (verdict.accepted) return;
+  const std::string fault = "a mesh that is not valid: " + verdict.reason;
+  if (made.method == hexahedrize::Method::table)
+    throw core::InvalidInput(table.value().path(), "holds " + fault);
+  if (!verdict.undecided) throw core::InternalError("the construction made " + fault);
+  say("note: " + verdict.reason);
 }
 
 /// Why there is no mesh: a sentence, and with --json an object that holds it. An empty code is one
@@ -110,7 +115,6 @@ ExitCode deliver(const MeshHexOptions& options, std::size_t quads,
 struct Sources {
   std::optional<format::Table> table;
   std::vector<format::Sector> sectors;
-  std::string sectors_path;
 };
 
 Sources sources_of(const MeshHexOptions& options) {
@@ -118,9 +122,8 @@ Sources sources_of(const MeshHexOptions& options) {
   if (options.method != "construction")
     result.table = format::Table::open(table_path(options.table));
   if (options.method != "table") {
-    result.sectors_path = sectors_path(options.sectors);
-    result.sectors =
-        format::read_sectors(core::read_file(result.sectors_path), result.sectors_path);
+    const std::string path = sectors_path(options.sectors);
+    result.sectors = format::read_sectors(core::read_file(path), path);
   }
   return result;
 }
@@ -163,9 +166,7 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
     return ExitCode::undecided;
   }
   const auto& made = std::get<hexahedrize::Hexahedrized>(answer.outcome);
-  expect_accepted(made.mesh, surface,
-                  made.method == hexahedrize::Method::table ? sources.table.value().path()
-                                                            : sources.sectors_path);
+  expect_accepted(made, surface, sources.table);
   return deliver(options, surface.quads.size(), made, start);
 }
 

@@ -36,7 +36,7 @@ class Lines {
   }
   /// The next `count` numbers of a line, which then ends.
   template <std::size_t count>
-  std::array<VertexId, count> numbers(std::string_view line) const {
+  [[nodiscard]] std::array<VertexId, count> numbers(std::string_view line) const {
     std::array<VertexId, count> result{};
     for (std::size_t i = 0; i < count; ++i) {
       if (i > 0 && !line.starts_with(' ')) fail("expected a space and a number");
@@ -78,7 +78,9 @@ HexComplex read_mesh(Lines& lines) {
   constexpr std::string_view kWord = "sector ";
   if (!line.starts_with(kWord)) lines.fail("expected `sector`");
   line.remove_prefix(kWord.size());
-  const auto [hexahedra, vertices] = lines.numbers<2>(line);
+  const auto sizes = lines.numbers<2>(line);
+  const VertexId hexahedra = sizes[0];
+  const VertexId vertices = sizes[1];
   if (hexahedra < 1 || hexahedra > kMostHexahedra || vertices <= kSectorSurface ||
       vertices > 8 * hexahedra)
     lines.fail("no sector has so many hexahedra or vertices");
