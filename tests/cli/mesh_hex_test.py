@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Claim. `mesh hex` keeps the points and quads of a surface, bit for bit and up to rotation, in all
 formats, for any numbering, order and placing of it; the judge accepts what it writes; the same
-input gives the same bytes. Surfaces without a mesh, or not in the table, are told apart.
+input gives the same bytes. Surfaces without a mesh, or not in the table, are told apart; what is
+not in the table is meshed by the construction, with at most 25 hexahedra per quad.
 Oracle. hex_files.py and surfaces.py, which read and write files on their own; `hexatlas check`,
 which shares no code with the mesher; the parity and 3-connectedness of the surfaces made here.
 """
 import json
+import math
 import os
 import random
 import re
@@ -16,7 +18,7 @@ import program
 import surfaces
 
 KEYS = {"outcome", "quads", "hexahedra", "interior_vertices", "min_scaled_jacobian", "mean_scaled_jacobian",
-        "inverted", "valid", "histogram", "table_entry", "seconds"}
+        "inverted", "valid", "histogram", "method", "hexahedra_per_quad", "table_entry", "seconds"}
 OUTPUTS = (".vtk", ".vtu", ".mesh", ".msh")
 
 
@@ -45,6 +47,32 @@ class MeshTest(program.ProgramTest):
         self.write(name, surfaces.FORMATS[name.split(".")[1]][1](*surface))
         return self.hexatlas("mesh", "hex", name, "-o", output, *options)
 
+    def mesh_and_judge(self, surface, output, *options):
+        ran = self.mesh(surface, "--json", *options, output=output)
+        self.expect(0, ran)
+        self.assertEqual(ran.err, "")
+        self.assertEqual(ran.out.count("\n"), 1)
+        said = json.loads(ran.out)
+        self.assertEqual(set(said), KEYS)
+        self.assertEqual(said["outcome"], "meshed")
+        self.assertEqual(said["quads"], len(surface[1]))
+        judged = self.expect(0, self.hexatlas("check", output, "--boundary", "in.obj", "--json"))
+        self.assertEqual(judged.err, "")
+        verdict = json.loads(judged.out)
+        self.assertTrue(verdict["accepted"])
+        for key in ("hexahedra", "interior_vertices"):
+            self.assertEqual(verdict[key], said[key])
+        self.assertEqual(verdict["boundary_quads"], said["quads"])
+        self.assertEqual(sum(said["histogram"]), said["hexahedra"])
+        self.assertAlmostEqual(said["hexahedra_per_quad"], said["hexahedra"] / said["quads"])
+        self.assertLessEqual(said["valid"] + said["inverted"], said["hexahedra"])
+        if output.endswith((".vtk", ".mesh")):
+            reader = hex_files.read_vtk if output.endswith(".vtk") else hex_files.read_medit
+            mesh = reader(self.read(output).decode())
+            self.expect_mesh_of(surface, mesh)
+            self.assertEqual(len(mesh[1]), said["hexahedra"])
+        return said
+
     def expect_mesh_of(self, surface, mesh, turned=False):
         points, hexahedra = mesh
         given = floats(surface[0])
@@ -62,33 +90,10 @@ class Inputs(MeshTest):
             surface = surfaces.read_obj(os.path.join(program.INPUTS, name))
             for extension in OUTPUTS:
                 with self.subTest(input=name, output=extension):
-                    self.mesh_and_judge(surface, "out" + extension)
-
-    def mesh_and_judge(self, surface, output):
-        ran = self.mesh(surface, "--json", "--effort", "0", output=output)
-        self.expect(0, ran)
-        self.assertEqual(ran.err, "")
-        self.assertEqual(ran.out.count("\n"), 1)
-        said = json.loads(ran.out)
-        self.assertEqual(set(said), KEYS)
-        self.assertEqual(said["outcome"], "meshed")
-        self.assertEqual(said["quads"], len(surface[1]))
-        judged = self.expect(0, self.hexatlas("check", output, "--boundary", "in.obj", "--json"))
-        self.assertEqual(judged.err, "")
-        verdict = json.loads(judged.out)
-        self.assertTrue(verdict["accepted"])
-        for key in ("hexahedra", "interior_vertices"):
-            self.assertEqual(verdict[key], said[key])
-        self.assertEqual(verdict["boundary_quads"], said["quads"])
-        self.assertLessEqual(said["valid"] + said["inverted"], said["hexahedra"])
-        self.assertEqual((len(said["histogram"]), sum(said["histogram"])), (10, said["hexahedra"]))
-        if output.endswith((".vtk", ".mesh")):
-            reader = hex_files.read_vtk if output.endswith(".vtk") else hex_files.read_medit
-            mesh = reader(self.read(output).decode())
-            self.expect_mesh_of(surface, mesh)
-            self.assertEqual(len(mesh[1]), said["hexahedra"])
-        code = self.expect(0, self.hexatlas("code", "in.obj", "--json"))
-        self.assertEqual(json.loads(code.out)["code"], said["table_entry"])
+                    said = self.mesh_and_judge(surface, "out" + extension, "--effort", "0")
+                    self.assertEqual(said["method"], "table")
+                    code = self.expect(0, self.hexatlas("code", "in.obj", "--json"))
+                    self.assertEqual(json.loads(code.out)["code"], said["table_entry"])
 
     def test_disguises(self):
         rng = random.Random(7)
@@ -252,19 +257,19 @@ class Orientation(MeshTest):
 
 
 class NoMesh(MeshTest):
-    def answer(self, code, surface, *words):
-        ran = self.expect(code, self.mesh(surface))
+    def answer(self, code, surface, *words, method="auto"):
+        ran = self.expect(code, self.mesh(surface, "--method", method))
         self.assertEqual(ran.out, "")
         self.assertRegex(ran.err, r"\Ahexatlas: in\.obj: [^\n]+\n\Z")
         for word in words:
             self.assertIn(word, ran.err)
         self.assertEqual(self.listing(), ["in.obj"])
-        self.expect_object(code, surface, ran.err)
+        self.expect_object(code, surface, ran.err, method)
         return ran.err
 
-    def expect_object(self, code, surface, sentence):
+    def expect_object(self, code, surface, sentence, method):
         """--json adds an object that says the same; with -o - on standard error."""
-        ran = self.expect(code, self.mesh(surface, "--json"))
+        ran = self.expect(code, self.mesh(surface, "--json", "--method", method))
         self.assertEqual(ran.err, sentence)
         self.assertEqual(ran.out.count("\n"), 1)
         said = json.loads(ran.out)
@@ -274,12 +279,13 @@ class NoMesh(MeshTest):
         self.assertEqual(sentence, f"hexatlas: in.obj: {said['reason']}\n")
         found = re.search(r"q1:[0-9a-f]+", sentence)
         self.assertEqual(said["code"], found.group(0) if found else None)
-        other = self.expect(code, self.mesh(surface, "--json", output="-"))
+        other = self.expect(code, self.mesh(surface, "--json", "--method", method, output="-"))
         self.assertEqual((other.out, other.err), ("", sentence + ran.out))
         self.assertEqual(self.listing(), ["in.obj"])
 
     def test_odd_number_of_quads(self):
-        self.answer(1, surfaces.cube_with_cut_quad(1), "7 quads", "odd")
+        for method in ("auto", "table", "construction"):
+            self.answer(1, surfaces.cube_with_cut_quad(1), "7 quads", "odd", method=method)
 
     def test_two_quads(self):
         points, _ = surfaces.cube()
@@ -291,18 +297,117 @@ class NoMesh(MeshTest):
     def test_not_three_connected(self):
         # Two quads with two edges in common; two quads with two opposite vertices in common.
         self.answer(1, surfaces.cube_with_cut_quad(2), "3-connected", "4-6")
-        self.answer(1, surfaces.four_lenses(), "3-connected", "0-1")
+        for method in ("auto", "table", "construction"):
+            self.answer(1, surfaces.four_lenses(), "3-connected", "0-1", method=method)
 
     def test_not_in_the_table(self):
-        said = self.answer(4, surfaces.grid_cube(3), "54 quads", "table")
+        said = self.answer(4, surfaces.grid_cube(3), "54 quads", "table", method="table")
         code = self.expect(0, self.hexatlas("code", "in.obj")).out.split()[0]
         self.assertRegex(code, r"\Aq1:[0-9a-f]{54}\Z")
         self.assertIn(code, said)
 
     def test_too_large_for_codes(self):
-        said = self.answer(4, surfaces.grid_cube(4), "96 quads")
+        said = self.answer(4, surfaces.grid_cube(4), "96 quads", method="table")
         self.assertFalse(re.search("q1:|code", said), said)
         self.expect_fault(self.hexatlas("code", "in.obj"), "in.obj")
+
+
+SECTORS = os.path.join(program.REPOSITORY, "tables", "data", "linear-bound.hxs")
+
+
+def trapezohedron(k):
+    """Two vertices of degree k and a zigzag around the equator: 2k quads."""
+    def at(i, z):
+        return repr(math.cos(math.pi * i / k)), repr(math.sin(math.pi * i / k)), z
+
+    points = [at(i, "0.1" if i % 2 == 0 else "-0.1") for i in range(2 * k)]
+    points += [("0", "0", "1"), ("0", "0", "-1")]
+    quads = []
+    for i in range(0, 2 * k, 2):
+        quads.append([2 * k, i, i + 1, (i + 2) % (2 * k)])
+        quads.append([2 * k + 1, (i + 3) % (2 * k), (i + 2) % (2 * k), i + 1])
+    return points, quads
+
+
+class Construction(MeshTest):
+    def construct(self, surface, output, *options):
+        said = self.mesh_and_judge(surface, output, "--effort", "0", *options)
+        self.assertEqual(said["method"], "construction")
+        self.assertIsNone(said["table_entry"])
+        self.assertLessEqual(said["hexahedra"], 25 * said["quads"])
+        self.assertGreaterEqual(said["hexahedra"], 15 * said["quads"])
+        return said
+
+    def test_what_is_not_in_the_table_is_meshed(self):
+        for surface in (surfaces.grid_cube(3), trapezohedron(31), surfaces.grid_cube(4)):
+            self.construct(surface, "out.vtk")
+
+    def test_disguises(self):
+        rng = random.Random(3)
+        for _ in range(3):
+            self.construct(disguised(surfaces.grid_cube(3), rng), "out.mesh")
+
+    def test_small_surfaces_if_asked(self):
+        for name in sorted(os.listdir(program.INPUTS)):
+            surface = surfaces.read_obj(os.path.join(program.INPUTS, name))
+            made = self.construct(surface, "made.vtu", "--method", "construction")
+            listed = self.mesh_and_judge(surface, "listed.vtk", "--method", "table", "--effort", "0")
+            self.assertEqual(listed["method"], "table")
+            self.assertLess(listed["hexahedra"], made["hexahedra"])
+
+    def test_same_bytes_again(self):
+        for output in ("a.vtk", "b.vtk"):
+            self.construct(surfaces.grid_cube(3), output)
+        self.assertEqual(self.read("a.vtk"), self.read("b.vtk"))
+
+    def test_words_for_people(self):
+        ran = self.expect(0, self.mesh(surfaces.grid_cube(3), "--effort", "0"))
+        self.assertRegex(ran.out, r"by the linear construction; [0-9]+\.[0-9]{2} hexahedra per quad\n")
+        self.assertNotIn("table", ran.out)
+
+    def test_sectors_named(self):
+        with open(SECTORS, encoding="ascii") as file:
+            text = file.read()
+        self.write("same.hxs", text)
+        surface = surfaces.grid_cube(3)
+        self.construct(surface, "a.vtk")
+        self.construct(surface, "b.vtk", "--sectors", "same.hxs")
+        self.assertEqual(self.read("a.vtk"), self.read("b.vtk"))
+        # Only the last sector has no scars: 25 hexahedra for each quad.
+        self.write("last.hxs", "hexatlas sectors 1\n" + text[text.rindex("sector 50 "):])
+        made = self.construct(surface, "c.vtk", "--sectors", "last.hxs")
+        self.assertEqual(made["hexahedra"], 25 * 54)
+
+    def test_sectors_missing_or_damaged(self):
+        with open(SECTORS, encoding="ascii") as file:
+            lines = file.read().splitlines(keepends=True)
+        damages = {"empty.hxs": ([], 1), "header.hxs": (["hexatlas sectors 2\n"] + lines[1:], 1),
+                   "short.hxs": (lines[:-1], len(lines)), "word.hxs": (lines[:2] + ["x\n"], 3),
+                   "law.hxs": (lines[:3] + lines[2:3] + lines[4:], 32),
+                   "scars.hxs": (lines[:32], 0)}
+        surface = surfaces.grid_cube(3)
+        for name, (text, line) in damages.items():
+            self.write(name, "".join(text))
+            for method in ("auto", "construction"):
+                with self.subTest(damage=name, method=method):
+                    ran = self.mesh(surface, "--method", method, "--sectors", name)
+                    self.assertEqual(self.expect_fault(ran, name), line)
+        for missing in ("missing.hxs", "."):
+            self.expect_fault(self.mesh(surface, "--sectors", missing), missing)
+        # They are not read if only the table is asked.
+        self.expect(0, self.mesh(surfaces.cube(), "--method", "table", "--sectors", "law.hxs"))
+        self.assertEqual(self.listing(), sorted(["in.obj", "out.vtk", *damages]))
+
+    def test_methods_have_names(self):
+        ran = self.expect(2, self.mesh(surfaces.cube(), "--method", "best"))
+        self.assertIn("--method", ran.err)
+        self.assertEqual(self.listing(), ["in.obj"])
+
+    def test_require_valid(self):
+        ran = self.mesh(surfaces.grid_cube(3), "--require-valid", "--json", "--effort", "0")
+        said = json.loads(ran.out)
+        self.expect(0 if said["valid"] == said["hexahedra"] else 4, ran)
+        self.expect(0, self.hexatlas("check", "out.vtk", "--boundary", "in.obj"))
 
 
 if __name__ == "__main__":

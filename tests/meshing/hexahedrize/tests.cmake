@@ -1,0 +1,8 @@
+hexatlas_test(meshing_hexahedrize_pairing_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/pairing_test.cpp
+  USES meshing_hexahedrize)
+hexatlas_test(meshing_hexahedrize_linear_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/linear_test.cpp
+  USES meshing_hexahedrize enum_quads tables_check)
+target_compile_definitions(meshing_hexahedrize_linear_test PRIVATE
+  HEXATLAS_SECTORS="${PROJECT_SOURCE_DIR}/tables/data/linear-bound.hxs")
