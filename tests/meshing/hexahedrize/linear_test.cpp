@@ -149,6 +149,16 @@ TEST(Linear, TakesTheSectorWithoutScarsIfItIsTheOnlyOne) {
   EXPECT_EQ(made.mesh.hexahedra.size(), 27 * sectors[0].mesh.hexahedra.size());
 }
 
+// At a vertex of degree 3 corners 1 and 5 of the hexagon are opposite in the third quad.
+TEST(Linear, LooksForScarsInQuadsOfTheBoundary) {
+  std::vector<Sector> sectors = shipped();
+  ASSERT_EQ(expect_meshed(support::grid_cube(1), sectors).used.front(), 1U);
+  for (Sector& sector : sectors)
+    if (!sector.scars.empty()) sector.scars.push_back({1, 5});
+  const LinearMesh made = expect_meshed(support::grid_cube(1), sectors);
+  EXPECT_EQ(made.used.back(), 3U);
+}
+
 // Sabotage. With the scars hidden the first sector is taken everywhere, and the strict rule breaks.
 TEST(Linear, NeedsTheRuleOfScars) {
   std::vector<Sector> hidden = shipped();
