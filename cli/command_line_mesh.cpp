@@ -4,6 +4,7 @@
 
 #include "cli/command_line_parts.hpp"
 #include "enum/flips/scars.hpp"
+#include "meshing/hexahedrize/hexahedrize.hpp"
 
 namespace hexatlas::cli {
 namespace {
@@ -96,8 +97,8 @@ void add_mesh(CLI::App& app, Action& action) {
                 "Exit with 4 unless every hexahedron is proven valid");
   hex->add_option("--effort", options->effort,
                   fmt::format("Limit of the work to place interior vertices, about seconds on one "
-                              "core; 0: harmonic places only [{}; 0 for the construction]",
-                              untangle::kDefaultEffort))
+                              "core; 0: harmonic places only [{}; 0 above {} hexahedra]",
+                              untangle::kDefaultEffort, hexahedrize::kSmallMesh))
       ->check(CLI::Range(0, untangle::kMaxEffort));
   add_threads(*hex, options->threads);
   hex->footer("With -o - the summary, or the JSON, goes to standard error.\n" +

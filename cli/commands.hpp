@@ -31,7 +31,7 @@ struct MeshHexOptions {
   std::string method = "auto";  ///< or "table", "construction"
   bool json = false;
   bool require_valid = false;
-  /// Of placing the interior vertices; by default it depends on the method.
+  /// Of placing the interior vertices; by default it depends on the size of the mesh.
   std::optional<int> effort;
   int threads = 0;  ///< 0: all processors
 };

@@ -130,7 +130,7 @@ Sources sources_of(const MeshHexOptions& options) {
 
 hexahedrize::Placing placing_of(const MeshHexOptions& options) {
   hexahedrize::Placing result;
-  for (untangle::Options* placing : {&result.table, &result.construction}) {
+  for (untangle::Options* placing : {&result.small, &result.large}) {
     if (options.effort) placing->effort = *options.effort;
     placing->threads = parallel::threads_or_all(options.threads);
   }

@@ -54,7 +54,7 @@ complex::HexComplex carried_over(complex::HexComplex mesh, const canon::Canonica
 }
 
 Hexahedrized with_coordinates(const complex::HexComplex& cells, const QuadSphere& sphere,
-                              const std::vector<Point>& points, const untangle::Options& placing) {
+                              const std::vector<Point>& points, const Placing& placing) {
   Hexahedrized result;
   result.interior_vertices = cells.vertices - sphere.vertices();
   result.mesh.points = points;
@@ -67,7 +67,8 @@ Hexahedrized with_coordinates(const complex::HexComplex& cells, const QuadSphere
     std::transform(cell.begin(), cell.end(), cell.begin(), point_of);
     result.mesh.hexahedra.push_back(cell);
   }
-  place(result.mesh, points.size(), placing);
+  place(result.mesh, points.size(),
+        result.mesh.hexahedra.size() <= kSmallMesh ? placing.small : placing.large);
   return result;
 }
 
@@ -135,7 +136,7 @@ Answer hexahedrize(const mesh::SurfaceMesh& surface, const Means& means, const s
     const canon::CanonicalForm form = canon::canonical_form(*boundary);
     code = canon::to_text(form.code);
     if (const auto cells = from_table(means.table, form, sphere)) {
-      Hexahedrized made = with_coordinates(*cells, sphere, surface.points, placing.table);
+      Hexahedrized made = with_coordinates(*cells, sphere, surface.points, placing);
       made.code = code;
       answer.outcome = std::move(made);
       return answer;
@@ -146,7 +147,7 @@ Answer hexahedrize(const mesh::SurfaceMesh& surface, const Means& means, const s
     return answer;
   }
   Hexahedrized made = with_coordinates(mesh_by_sectors(sphere, means.sectors).mesh, sphere,
-                                       surface.points, placing.construction);
+                                       surface.points, placing);
   made.method = Method::construction;
   answer.outcome = std::move(made);
   return answer;

@@ -33,11 +33,13 @@ struct Means {
 
 enum class Method : std::uint8_t { table, construction };
 
-/// How the interior vertices are placed, by the method that made the mesh. Where all sectors meet
-/// no work has made hexahedra valid so far, so there only harmonic places are the default.
+/// Meshes of more hexahedra are large.
+inline constexpr std::size_t kSmallMesh = 10'000;
+
+/// How the interior vertices are placed. The default work is too little to change a large mesh.
 struct Placing {
-  untangle::Options table{};
-  untangle::Options construction{.effort = 0};
+  untangle::Options small{};
+  untangle::Options large{.effort = 0};
 };
 
 /// A mesh whose first points are those of the surface, bit for bit and in order; the quads in
