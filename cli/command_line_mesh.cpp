@@ -9,6 +9,19 @@
 namespace hexatlas::cli {
 namespace {
 
+void add_mesh_to_write(CLI::App& app, std::string& output) {
+  app.add_option("-o,--output", output,
+                 "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)")
+      ->required();
+}
+
+template <class Options>
+void add_report(CLI::App& app, Options& options) {
+  app.add_flag("--json", options.json, "Print one JSON object");
+  app.add_flag("--require-valid", options.require_valid,
+               "Exit with 4 unless every hexahedron is proven valid");
+}
+
 void add_effort(CLI::App& app, int& effort) {
   app.add_option("--effort", effort,
                  "Limit of the work to place interior vertices, about seconds on one core; 0: "
@@ -26,17 +39,12 @@ void add_mesh_boundary(CLI::App& mesh, Action& action) {
                    "Name or canonical code of a boundary, or a file of quads, whose points are not "
                    "used")
       ->required();
-  command
-      ->add_option("-o,--output", options->output,
-                   "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)")
-      ->required();
+  add_mesh_to_write(*command, options->output);
   command->add_option("--table", options->table, "Table of meshes [the one beside the program]");
   command->add_flag("--free-boundary", options->free_boundary,
                     "Let the boundary move too; without, it is a convex polyhedron whose edges "
                     "touch a sphere");
-  command->add_flag("--json", options->json, "Print one JSON object");
-  command->add_flag("--require-valid", options->require_valid,
-                    "Exit with 4 unless every hexahedron is proven valid");
+  add_report(*command, *options);
   add_effort(*command, options->effort);
   add_threads(*command, options->threads);
   command->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
@@ -52,17 +60,12 @@ void add_mesh_untangle(CLI::App& mesh, Action& action) {
       ->add_option("MESH", options->input,
                    "Hexahedral mesh: .vtu .vtk .mesh .msh, or - for standard input")
       ->required();
-  command
-      ->add_option("-o,--output", options->output,
-                   "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)")
-      ->required();
+  add_mesh_to_write(*command, options->output);
   auto* harmonic =
       command->add_flag("--harmonic", options->harmonic, "Forget where the interior vertices are");
   command->add_flag("--free-boundary", options->free_boundary, "Move all vertices")
       ->excludes(harmonic);
-  command->add_flag("--json", options->json, "Print one JSON object");
-  command->add_flag("--require-valid", options->require_valid,
-                    "Exit with 4 unless every hexahedron is proven valid");
+  add_report(*command, *options);
   add_effort(*command, options->effort);
   add_threads(*command, options->threads);
   command->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
@@ -80,9 +83,7 @@ void add_mesh(CLI::App& app, Action& action) {
   hex->add_option("INPUT", options->input,
                   "Quad surface: .obj .off .vtk .vtu .mesh .msh, or - for standard input")
       ->required();
-  hex->add_option("-o,--output", options->output,
-                  "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)")
-      ->required();
+  add_mesh_to_write(*hex, options->output);
   hex->add_option(
          "--method", options->method,
          "table: only what the table has; construction: any size, at most 25 hexahedra per "
@@ -92,9 +93,7 @@ void add_mesh(CLI::App& app, Action& action) {
   hex->add_option("--table", options->table, "Table of meshes [the one beside the program]");
   hex->add_option("--sectors", options->sectors,
                   "Sectors of the construction [those beside the program]");
-  hex->add_flag("--json", options->json, "Print one JSON object");
-  hex->add_flag("--require-valid", options->require_valid,
-                "Exit with 4 unless every hexahedron is proven valid");
+  add_report(*hex, *options);
   hex->add_option("--effort", options->effort,
                   fmt::format("Limit of the work to place interior vertices, about seconds on one "
                               "core; 0: harmonic places only [{}; 0 above {} hexahedra]",
@@ -117,10 +116,7 @@ void add_simplify(CLI::App& app, Action& action) {
       ->add_option("MESH", options->input,
                    "Hexahedral mesh: .vtu .vtk .mesh .msh, or - for standard input")
       ->required();
-  command
-      ->add_option("-o,--output", options->output,
-                   "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)")
-      ->required();
+  add_mesh_to_write(*command, options->output);
   auto* table = command->add_option("--table", options->table,
                                     "Table of meshes [the one beside the program]");
   command->add_flag("--no-table", options->without_table, "Use no table")->excludes(table);

@@ -27,11 +27,7 @@ std::string json_line(const NamedBoundary& boundary, const mesh::HexMesh& mesh, 
   json["interior_vertices"] =
       mesh.points.size() - static_cast<std::size_t>(boundary.boundary.vertices());
   json["free_boundary"] = free_boundary;
-  json["min_scaled_jacobian"] = report.min_scaled_jacobian;
-  json["mean_scaled_jacobian"] = report.mean_scaled_jacobian;
-  json["inverted"] = report.inverted;
-  json["valid"] = report.valid;
-  json["histogram"] = report.histogram;
+  add_quality(json, report);
   json["seconds"] = elapsed;
   return to_line(json);
 }
@@ -72,9 +68,7 @@ ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
   tell(options.output,
        options.json ? json_line(boundary, mesh, options.free_boundary, report, seconds() - start)
                     : summary(boundary, mesh, report, options.output));
-  if (!options.require_valid || report.valid == report.hexahedra) return ExitCode::yes;
-  say_not_valid(report);
-  return ExitCode::undecided;
+  return answer_for(report, options.require_valid);
 }
 
 }  // namespace hexatlas::cli

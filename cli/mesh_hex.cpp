@@ -45,11 +45,7 @@ std::string json_line(std::size_t quads, const hexahedrize::Hexahedrized& made,
   json["quads"] = quads;
   json["hexahedra"] = report.hexahedra;
   json["interior_vertices"] = made.interior_vertices;
-  json["min_scaled_jacobian"] = report.min_scaled_jacobian;
-  json["mean_scaled_jacobian"] = report.mean_scaled_jacobian;
-  json["inverted"] = report.inverted;
-  json["valid"] = report.valid;
-  json["histogram"] = report.histogram;
+  add_quality(json, report);
   json["method"] = name_of(made.method);
   json["hexahedra_per_quad"] = per_quad(report, quads);
   json["table_entry"] = nullptr;
@@ -106,9 +102,7 @@ ExitCode deliver(const MeshHexOptions& options, std::size_t quads,
   const quality::Report report = quality::report(made.mesh);
   tell(options.output, options.json ? json_line(quads, made, report, seconds() - start)
                                     : summary(quads, made, report, options.output));
-  if (!options.require_valid || report.valid == report.hexahedra) return ExitCode::yes;
-  say_not_valid(report);
-  return ExitCode::undecided;
+  return answer_for(report, options.require_valid);
 }
 
 /// What the method may use.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -67,10 +68,20 @@ std::string quality_text(const quality::Report& report) {
       counted(report.hexahedra, "hexahedron", "hexahedra"), report.inverted, bins);
 }
 
-void say_not_valid(const quality::Report& report) {
+void add_quality(nlohmann::ordered_json& json, const quality::Report& report) {
+  json["min_scaled_jacobian"] = report.min_scaled_jacobian;
+  json["mean_scaled_jacobian"] = report.mean_scaled_jacobian;
+  json["inverted"] = report.inverted;
+  json["valid"] = report.valid;
+  json["histogram"] = report.histogram;
+}
+
+ExitCode answer_for(const quality::Report& report, bool require_valid) {
+  if (!require_valid || report.valid == report.hexahedra) return ExitCode::yes;
   say(fmt::format("{} not proven valid, of {}; the mesh was written all the same",
                   counted(report.hexahedra - report.valid, "hexahedron is", "hexahedra are"),
                   report.hexahedra));
+  return ExitCode::undecided;
 }
 
 void tell(const std::string& output, const std::string& text) {

@@ -2,8 +2,10 @@
 /// \file
 /// What the verbs that write a hexahedral mesh share.
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "cli/commands.hpp"
 #include "meshing/mesh/mesh.hpp"
 #include "meshing/quality/report.hpp"
 #include "tables/check/mesh.hpp"
@@ -29,7 +31,11 @@ void tell(const std::string& output, const std::string& text);
 /// Jacobian.
 [[nodiscard]] std::string quality_text(const quality::Report& report);
 
-/// That some hexahedra are not proven valid.
-void say_not_valid(const quality::Report& report);
+/// The same as members of a JSON object.
+void add_quality(nlohmann::ordered_json& json, const quality::Report& report);
+
+/// The answer once a mesh is written: `undecided`, and why, if validity was asked for and some
+/// hexahedra are not proven valid.
+[[nodiscard]] ExitCode answer_for(const quality::Report& report, bool require_valid);
 
 }  // namespace hexatlas::cli

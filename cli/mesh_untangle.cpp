@@ -27,11 +27,7 @@ void expect_placeable(const mesh::HexMesh& mesh, const std::string& file) {
 
 nlohmann::ordered_json json_of(const quality::Report& report) {
   nlohmann::ordered_json json;
-  json["min_scaled_jacobian"] = report.min_scaled_jacobian;
-  json["mean_scaled_jacobian"] = report.mean_scaled_jacobian;
-  json["inverted"] = report.inverted;
-  json["valid"] = report.valid;
-  json["histogram"] = report.histogram;
+  add_quality(json, report);
   return json;
 }
 
@@ -73,9 +69,7 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
                      counted(static_cast<std::size_t>(moved), "free vertex", "free vertices"),
                      quality_text(before), quality_text(report)));
   }
-  if (!options.require_valid || report.valid == report.hexahedra) return ExitCode::yes;
-  say_not_valid(report);
-  return ExitCode::undecided;
+  return answer_for(report, options.require_valid);
 }
 
 }  // namespace hexatlas::cli
