@@ -6,6 +6,7 @@
 #include "enum/canon/code.hpp"
 #include "enum/core/errors.hpp"
 #include "meshing/hexahedrize/hexahedrize.hpp"
+#include "meshing/hexahedrize/small_form.hpp"
 #include "meshing/io/mesh_files.hpp"
 #include "tables/build/named.hpp"
 

@@ -9,6 +9,7 @@
 #include "enum/core/checks.hpp"
 #include "enum/core/errors.hpp"
 #include "meshing/hexahedrize/hexahedrize.hpp"
+#include "meshing/hexahedrize/small_form.hpp"
 #include "meshing/io/mesh_files.hpp"
 
 namespace hexatlas::cli {

@@ -86,9 +86,14 @@ void add_mesh(CLI::App& app, Action& action) {
   add_mesh_to_write(*hex, options->output);
   hex->add_option(
          "--method", options->method,
-         "table: only what the table has; construction: any size, at most 25 hexahedra per "
-         "quad; auto: the table where it can")
-      ->check(CLI::IsMember({"auto", "table", "construction"}))
+         "table: only what the table has; zones: surfaces of structured meshes; flips: any size, "
+         "usually about one hexahedron per quad; construction: any size, at most 25 hexahedra per "
+         "quad, proven; auto: the first of these that can")
+      ->check(CLI::IsMember({"auto", "table", "zones", "flips", "construction"}))
+      ->capture_default_str();
+  hex->add_option("--layers", options->layers,
+                  "Layers of hexahedra below the whole boundary, before flips")
+      ->check(CLI::Range(0, 100))
       ->capture_default_str();
   hex->add_option("--table", options->table, "Table of meshes [the one beside the program]");
   hex->add_option("--sectors", options->sectors,

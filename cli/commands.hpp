@@ -28,7 +28,8 @@ enum class ExitCode : std::uint8_t {
 
 struct MeshHexOptions {
   std::string input, output, table, sectors;
-  std::string method = "auto";  ///< or "table", "construction"
+  std::string method = "auto";  ///< or "table", "zones", "flips", "construction"
+  std::size_t layers = 0;
   bool json = false;
   bool require_valid = false;
   /// Of placing the interior vertices; by default it depends on the size of the mesh.

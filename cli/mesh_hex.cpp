@@ -31,11 +31,39 @@ void say_notes(const hexahedrize::SurfaceNotes& notes) {
 }
 
 const char* name_of(hexahedrize::Method method) {
-  return method == hexahedrize::Method::table ? "table" : "construction";
+  switch (method) {
+    case hexahedrize::Method::table:
+      return "table";
+    case hexahedrize::Method::zones:
+      return "zones";
+    case hexahedrize::Method::flips:
+      return "flips";
+    case hexahedrize::Method::construction:
+      return "construction";
+  }
+  throw core::InternalError("a method without a name");
 }
 
 double per_quad(const quality::Report& report, std::size_t quads) {
   return static_cast<double>(report.hexahedra) / static_cast<double>(quads);
+}
+
+std::string account_of(const hexahedrize::Hexahedrized& made) {
+  switch (made.method) {
+    case hexahedrize::Method::table:
+      return "table entry " + made.code;
+    case hexahedrize::Method::zones:
+      return fmt::format("{} zone by zone, the rest of {} quads filled by the table",
+                         counted(made.peeled, "hexahedron", "hexahedra"), made.cavity);
+    case hexahedrize::Method::flips:
+      return fmt::format("{} taken off in {} and by flips, the rest of {} quads filled by {}",
+                         counted(made.peeled, "hexahedron", "hexahedra"),
+                         counted(made.layers, "layer", "layers"), made.cavity,
+                         made.cavity_by_table ? "the table" : "sectors");
+    case hexahedrize::Method::construction:
+      return "by the linear construction";
+  }
+  throw core::InternalError("a method without a name");
 }
 
 std::string json_line(std::size_t quads, const hexahedrize::Hexahedrized& made,
@@ -48,6 +76,14 @@ std::string json_line(std::size_t quads, const hexahedrize::Hexahedrized& made,
   add_quality(json, report);
   json["method"] = name_of(made.method);
   json["hexahedra_per_quad"] = per_quad(report, quads);
+  for (const char* key : {"peeled", "layers", "cavity_quads", "cavity_filled_by"})
+    json[key] = nullptr;
+  if (made.cavity > 0) {
+    json["peeled"] = made.peeled;
+    json["layers"] = made.layers;
+    json["cavity_quads"] = made.cavity;
+    json["cavity_filled_by"] = made.cavity_by_table ? "table" : "sectors";
+  }
   json["table_entry"] = nullptr;
   if (!made.code.empty()) json["table_entry"] = made.code;
   json["seconds"] = elapsed;
@@ -58,12 +94,11 @@ std::string summary(std::size_t quads, const hexahedrize::Hexahedrized& made,
                     const quality::Report& report, const std::string& output) {
   return fmt::format(
       "{}: {}, {}, boundary of {} quads\n"
-      "{}{}; {:.2f} hexahedra per quad\n"
+      "{}; {:.2f} hexahedra per quad\n"
       "{}",
       output, counted(report.hexahedra, "hexahedron", "hexahedra"),
       counted(made.interior_vertices, "interior vertex", "interior vertices"), quads,
-      made.code.empty() ? "by the linear construction" : "table entry ", made.code,
-      per_quad(report, quads), quality_text(report));
+      account_of(made), per_quad(report, quads), quality_text(report));
 }
 
 /// Whatever the table or a theorem says, a mesh is written only if the judge accepts it. That it is
@@ -76,7 +111,8 @@ void expect_accepted(const hexahedrize::Hexahedrized& made, const mesh::SurfaceM
   const std::string fault = "a mesh that is not valid: " + verdict.reason;
   if (made.method == hexahedrize::Method::table)
     throw core::InvalidInput(table.value().path(), "holds " + fault);
-  if (!verdict.undecided) throw core::InternalError("the construction made " + fault);
+  if (!verdict.undecided)
+    throw core::InternalError(std::string(name_of(made.method)) + " made " + fault);
   say("note: " + verdict.reason);
 }
 
@@ -109,13 +145,17 @@ ExitCode deliver(const MeshHexOptions& options, std::size_t quads,
 struct Sources {
   std::optional<format::Table> table;
   std::vector<format::Sector> sectors;
+  std::optional<hexahedrize::Method> only;
 };
 
 Sources sources_of(const MeshHexOptions& options) {
+  using hexahedrize::Method;
   Sources result;
-  if (options.method != "construction")
+  for (const Method method : {Method::table, Method::zones, Method::flips, Method::construction})
+    if (options.method == name_of(method)) result.only = method;
+  if (result.only != Method::construction)
     result.table = format::Table::open(table_path(options.table));
-  if (options.method != "table") {
+  if (result.only != Method::table && result.only != Method::zones) {
     const std::string path = sectors_path(options.sectors);
     result.sectors = format::read_sectors(core::read_file(path), path);
   }
@@ -143,8 +183,12 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
   const mesh::SurfaceMesh surface = io::read_surface(options.input);
   const Sources sources = sources_of(options);
   const auto answer = hexahedrize::hexahedrize(
-      surface, {sources.table ? &*sources.table : nullptr, sources.sectors}, name,
-      placing_of(options));
+      surface,
+      {.table = sources.table ? &*sources.table : nullptr,
+       .sectors = sources.sectors,
+       .only = sources.only,
+       .peeling = {.layers = options.layers, .threads = parallel::threads_or_all(options.threads)}},
+      name, placing_of(options));
   say_notes(answer.notes);
   if (const auto* impossible = std::get_if<hexahedrize::Impossible>(&answer.outcome)) {
     tell_without_mesh(options, name, "impossible", surface.quads.size(),
@@ -153,7 +197,9 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
   }
   if (const auto* missing = std::get_if<hexahedrize::NotInTable>(&answer.outcome)) {
     const std::string reason = fmt::format(
-        "the boundary of {} quads{} is not in {}; `--method auto` meshes it all the same",
+        "{} {} quads{} is not in {}; `--method auto` meshes it all the same",
+        sources.only == hexahedrize::Method::zones ? "what zones leave of the boundary of"
+                                                   : "the boundary of",
         missing->quads, missing->code.empty() ? "" : ", canonical code " + missing->code + ",",
         sources.table.value().path());
     tell_without_mesh(options, name, "not_in_table", missing->quads, reason, missing->code);

@@ -17,7 +17,7 @@
 #include "enum/flips/scars.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "tables/build/named.hpp"
-#include "tables/build/query.hpp"
+#include "tables/fill/query.hpp"
 #include "tables/format/manifest.hpp"
 
 namespace hexatlas::cli {
@@ -119,7 +119,7 @@ std::optional<complex::HexComplex> searched(const format::Table& table, const ca
     throw core::InvalidInput(
         canon::to_text(code),
         fmt::format("has {} quads; a search takes at most {}", code.quads, flips::kMaxSearchQuads));
-  return build::fill_through(table, code, {.threads = parallel::available_threads()});
+  return fill::fill_through(table, code, {.threads = parallel::available_threads()});
 }
 
 }  // namespace

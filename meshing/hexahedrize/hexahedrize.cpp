@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "enum/canon/code.hpp"
-#include "enum/cells/cube.hpp"
 #include "enum/complex/hex_complex.hpp"
 #include "enum/complex/quad_surface.hpp"
 #include "enum/complex/quadrangulation.hpp"
 #include "enum/core/checks.hpp"
 #include "meshing/hexahedrize/linear.hpp"
 #include "meshing/hexahedrize/placing.hpp"
+#include "meshing/hexahedrize/small_form.hpp"
 #include "realize/exact/volume.hpp"
 
 namespace hexatlas::hexahedrize {
@@ -38,19 +38,6 @@ exact::Sign sign_of_volume(const QuadSphere& sphere, const std::vector<Point>& p
 
 void turn_over(QuadSphere& sphere) {
   for (auto& quad : sphere.quads) std::swap(quad[1], quad[3]);
-}
-
-/// The table's mesh in the sphere's own vertices: canonical label c is vertex_of[c].
-complex::HexComplex carried_over(complex::HexComplex mesh, const canon::CanonicalForm& form,
-                                 std::size_t boundary_vertices) {
-  std::vector<complex::VertexId> vertex(mesh.vertices);
-  for (std::uint32_t v = 0; v < mesh.vertices; ++v) vertex[v] = v;
-  for (std::uint32_t v = 0; v < boundary_vertices; ++v) vertex[form.label[v]] = v;
-  for (auto& cell : mesh.hexahedra) {
-    for (auto& v : cell) v = vertex[v];
-    if (form.is_mirrored) cells::exchange_axes(cell);  // a mirror image, right-handed again
-  }
-  return mesh;
 }
 
 Hexahedrized with_coordinates(const complex::HexComplex& cells, const QuadSphere& sphere,
@@ -110,20 +97,61 @@ QuadSphere sphere_of(const mesh::SurfaceMesh& surface, const std::string& file) 
   return std::get<QuadSphere>(std::move(result));
 }
 
-std::optional<complex::Quadrangulation> small_form(const QuadSphere& sphere) {
-  if (sphere.quads.size() > complex::kMaxQuads) return std::nullopt;
-  std::vector<complex::QuadVertices> quads;
-  for (const auto& quad : sphere.quads) {
-    complex::QuadVertices small{};
-    std::transform(quad.begin(), quad.end(), small.begin(),
-                   [](complex::VertexId v) { return static_cast<complex::Vertex>(v); });
-    quads.push_back(small);
-  }
-  return complex::Quadrangulation::from_quads(quads);
+namespace {
+
+/// The table's mesh and its code, if it has one.
+std::optional<Hexahedrized> by_table(const QuadSphere& sphere, const mesh::SurfaceMesh& surface,
+                                     const format::Table* table, const Placing& placing,
+                                     std::string& code) {
+  const auto boundary = small_form(sphere);
+  if (!boundary) return std::nullopt;
+  const canon::CanonicalForm form = canon::canonical_form(*boundary);
+  code = canon::to_text(form.code);
+  const auto cells = from_table(table, form, sphere);
+  if (!cells) return std::nullopt;
+  Hexahedrized made = with_coordinates(*cells, sphere, surface.points, placing);
+  made.code = code;
+  return made;
 }
+
+Hexahedrized with_account(const PeeledMesh& peeled, Method method, const QuadSphere& sphere,
+                          const mesh::SurfaceMesh& surface, const Placing& placing) {
+  Hexahedrized made = with_coordinates(peeled.mesh, sphere, surface.points, placing);
+  made.method = method;
+  made.peeled = peeled.peeled;
+  made.layers = peeled.layers;
+  made.cavity = peeled.cavity;
+  made.cavity_by_table = peeled.by_table;
+  return made;
+}
+
+/// By the first of the methods allowed that can.
+std::variant<Hexahedrized, Impossible, NotInTable> meshed(const QuadSphere& sphere,
+                                                          const mesh::SurfaceMesh& surface,
+                                                          const Means& means,
+                                                          const Placing& placing) {
+  const auto may = [&](Method method) { return !means.only || *means.only == method; };
+  std::string code;
+  if (may(Method::table))
+    if (auto made = by_table(sphere, surface, means.table, placing, code)) return *std::move(made);
+  if (may(Method::zones) && means.table != nullptr)
+    if (const auto peeled = mesh_by_zones(sphere, *means.table, means.peeling))
+      return with_account(*peeled, Method::zones, sphere, surface, placing);
+  if (may(Method::flips))
+    return with_account(mesh_by_peeling(sphere, means.table, means.sectors, means.peeling),
+                        Method::flips, sphere, surface, placing);
+  if (!may(Method::construction)) return NotInTable{sphere.quads.size(), code};
+  Hexahedrized made = with_coordinates(mesh_by_sectors(sphere, means.sectors).mesh, sphere,
+                                       surface.points, placing);
+  made.method = Method::construction;
+  return made;
+}
+
+}  // namespace
 
 Answer hexahedrize(const mesh::SurfaceMesh& surface, const Means& means, const std::string& file,
                    const Placing& placing) {
+  core::expects(means.table != nullptr || !means.sectors.empty(), "a table or sectors are given");
   QuadSphere sphere = sphere_of(surface, file);
   Answer answer;
   answer.notes = turned_outwards(sphere, surface, file);
@@ -131,25 +159,7 @@ Answer hexahedrize(const mesh::SurfaceMesh& surface, const Means& means, const s
     answer.outcome = Impossible{*std::move(reason)};
     return answer;
   }
-  std::string code;
-  if (const auto boundary = small_form(sphere)) {
-    const canon::CanonicalForm form = canon::canonical_form(*boundary);
-    code = canon::to_text(form.code);
-    if (const auto cells = from_table(means.table, form, sphere)) {
-      Hexahedrized made = with_coordinates(*cells, sphere, surface.points, placing);
-      made.code = code;
-      answer.outcome = std::move(made);
-      return answer;
-    }
-  }
-  if (means.sectors.empty()) {
-    answer.outcome = NotInTable{sphere.quads.size(), code};
-    return answer;
-  }
-  Hexahedrized made = with_coordinates(mesh_by_sectors(sphere, means.sectors).mesh, sphere,
-                                       surface.points, placing);
-  made.method = Method::construction;
-  answer.outcome = std::move(made);
+  answer.outcome = meshed(sphere, surface, means, placing);
   return answer;
 }
 

@@ -2,7 +2,8 @@
 /// \file
 /// Hexahedral mesh of a ball given by a quad surface. The boundary's canonical code is looked up
 /// in a table, and the mesh found there is carried over to the surface's own vertices; a boundary
-/// that is not in the table is meshed by the linear construction (linear.hpp).
+/// that is not in the table is peeled by zones or flips until what is left is (peel.hpp), or
+/// meshed by the linear construction (linear.hpp).
 ///
 /// All of it is exact, the same on every machine, except where the interior vertices are placed:
 /// that is done by realize/untangle. Nothing is promised about the shape of the hexahedra;
@@ -17,7 +18,7 @@
 #include <variant>
 
 #include "enum/complex/quad_surface.hpp"
-#include "enum/complex/quadrangulation.hpp"
+#include "meshing/hexahedrize/peel.hpp"
 #include "meshing/mesh/mesh.hpp"
 #include "realize/untangle/untangle.hpp"
 #include "tables/format/sectors.hpp"
@@ -25,13 +26,21 @@
 
 namespace hexatlas::hexahedrize {
 
-/// What may be used: the table first, then the construction.
-struct Means {
-  const format::Table* table = nullptr;
-  std::span<const format::Sector> sectors{};  ///< none: no construction
+enum class Method : std::uint8_t {
+  table,        ///< the table has this boundary
+  zones,        ///< zones removed until the rest is in the table
+  flips,        ///< peeled until the rest is in the table, or small enough for sectors
+  construction  ///< by sectors
 };
 
-enum class Method : std::uint8_t { table, construction };
+/// What may be used. At least one of table and sectors.
+struct Means {
+  const format::Table* table = nullptr;
+  std::span<const format::Sector> sectors{};
+  /// Else the first that can: the table, zones, flips.
+  std::optional<Method> only{};
+  PeelOptions peeling{};
+};
 
 /// Meshes of more hexahedra are large.
 inline constexpr std::size_t kSmallMesh = 10'000;
@@ -49,6 +58,10 @@ struct Hexahedrized {
   Method method = Method::table;
   std::string code;  ///< of the boundary, the key of the table's entry; else empty
   std::size_t interior_vertices = 0;
+  /// By zones or flips: hexahedra taken off the boundary, whole layers among them, the quads of
+  /// what was left inside, and whether the table filled that or sectors did.
+  std::size_t peeled = 0, layers = 0, cavity = 0;
+  bool cavity_by_table = false;
 };
 
 /// No mesh under the strict rule can have this boundary.
@@ -56,7 +69,8 @@ struct Impossible {
   std::string reason;  ///< one sentence without a full stop
 };
 
-/// The table has nothing for this boundary, which proves nothing, and no construction was allowed.
+/// The table has nothing for this boundary, or for what is left of it without zones, and nothing
+/// else was allowed. This proves nothing.
 struct NotInTable {
   std::size_t quads = 0;
   std::string code;  ///< empty above 64 quads
@@ -78,9 +92,6 @@ struct Answer {
 /// Throws InvalidInput if they form none, with the line of the quad at fault where it is known.
 [[nodiscard]] complex::QuadSphere sphere_of(const mesh::SurfaceMesh& surface,
                                             const std::string& file);
-
-/// The sphere as codes need it; nullopt above complex::kMaxQuads quads.
-[[nodiscard]] std::optional<complex::Quadrangulation> small_form(const complex::QuadSphere& sphere);
 
 /// `file` stands for the surface in messages.
 /// Throws InvalidInput if the surface is not a quadrangulated sphere, with the line of the quad

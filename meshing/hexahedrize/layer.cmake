@@ -1,5 +1,5 @@
 hexatlas_layer(meshing/hexahedrize
-  HEADERS hexahedrize.hpp linear.hpp pair_set.hpp pairing.hpp placing.hpp
-  SOURCES hexahedrize.cpp linear.cpp pairing.cpp placing.cpp
-  USES enum/core enum/cells enum/complex enum/canon realize/exact realize/untangle tables/format meshing/mesh
+  HEADERS hexahedrize.hpp linear.hpp pairing.hpp peel.hpp placing.hpp small_form.hpp
+  SOURCES hexahedrize.cpp linear.cpp pairing.cpp peel.cpp placing.cpp small_form.cpp
+  USES enum/core enum/cells enum/complex enum/canon enum/flips realize/exact realize/untangle tables/fill tables/format meshing/mesh
   THIRD_PARTY Boost::headers)

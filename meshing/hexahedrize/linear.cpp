@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "enum/complex/pair_set.hpp"
 #include "enum/core/checks.hpp"
-#include "meshing/hexahedrize/pair_set.hpp"
 #include "meshing/hexahedrize/pairing.hpp"
 
 namespace hexatlas::hexahedrize {
@@ -48,9 +48,10 @@ std::vector<bool> black_vertices(const QuadSphere& sphere, const Sides& sides) {
 
 class Construction {
  public:
-  Construction(const QuadSphere& sphere, std::span<const Sector> sectors)
+  Construction(const QuadSphere& sphere, std::span<const Sector> sectors, const Apart& apart)
       : sphere_(sphere),
         sectors_(sectors),
+        apart_(apart),
         sides_(sides_of(sphere)),
         partner_(partners(sides_)),
         black_(black_vertices(sphere, sides_)) {
@@ -127,8 +128,13 @@ class Construction {
   [[nodiscard]] bool fits(const Sector& sector, const Surface& surface) const {
     return std::none_of(sector.scars.begin(), sector.scars.end(),
                         [&](const format::SurfacePair& scar) {
-                          return related_.has(surface[scar[0]], surface[scar[1]]);
+                          const VertexId a = surface[scar[0]];
+                          const VertexId b = surface[scar[1]];
+                          return related_.has(a, b) || are_apart(a, b);
                         });
+  }
+  [[nodiscard]] bool are_apart(VertexId a, VertexId b) const {
+    return apart_ && std::max(a, b) < sphere_.vertices() && apart_(a, b);
   }
 
   void fill(const Surface& surface) {
@@ -149,20 +155,22 @@ class Construction {
 
   const QuadSphere& sphere_;
   std::span<const Sector> sectors_;
+  const Apart& apart_;
   Sides sides_;
   std::vector<std::uint32_t> partner_;
   std::vector<bool> black_;
   VertexId apex_ = 0;
   std::vector<VertexId> after_;        ///< of each vertex of the sphere, the first one below it
   std::vector<VertexId> inside_wall_;  ///< of each edge, the first of the two in its wall
-  PairSet related_;                    ///< pairs in quads of boundary and walls, and scars so far
+  complex::PairSet related_;           ///< pairs in quads of boundary and walls, and scars so far
   LinearMesh result_;
 };
 
 }  // namespace
 
-LinearMesh mesh_by_sectors(const QuadSphere& sphere, std::span<const Sector> sectors) {
-  return Construction(sphere, sectors).run();
+LinearMesh mesh_by_sectors(const QuadSphere& sphere, std::span<const Sector> sectors,
+                           const Apart& apart) {
+  return Construction(sphere, sectors, apart).run();
 }
 
 }  // namespace hexatlas::hexahedrize

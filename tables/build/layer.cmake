@@ -1,6 +1,6 @@
 hexatlas_layer(tables/build
-  HEADERS catalogues.hpp census.hpp filled.hpp hexmesh_search.hpp named.hpp query.hpp realize.hpp search.hpp
-  SOURCES catalogues.cpp census.cpp filled.cpp hexmesh_search.cpp query.cpp realize.cpp search.cpp search_bytes.cpp
+  HEADERS catalogues.hpp census.hpp hexmesh_search.hpp named.hpp realize.hpp search.hpp
+  SOURCES catalogues.cpp census.cpp hexmesh_search.cpp realize.cpp search.cpp search_bytes.cpp
   USES enum/core enum/parallel enum/complex enum/canon enum/search enum/flips enum/hexes enum/quads enum/balls realize/certificate
-    realize/solve tables/format
+    realize/solve tables/fill tables/format
   THIRD_PARTY PkgConfig::sqlite)

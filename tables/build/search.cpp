@@ -11,7 +11,7 @@
 #include "enum/flips/meeting.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "enum/quads/generate.hpp"
-#include "tables/build/filled.hpp"
+#include "tables/fill/filled.hpp"
 #include "tables/format/record.hpp"
 
 namespace hexatlas::build {
@@ -192,7 +192,7 @@ std::size_t TableSearch::take_over(const format::Table& table, const std::string
     const auto ordinal = table.find(code);
     if (!ordinal || static_cast<int>(table.entry(*ordinal).hexahedra) >= hexahedra(code)) return;
     complex::HexComplex mesh = table.mesh(*ordinal);
-    if (const auto reason = reason_against(mesh, code))
+    if (const auto reason = fill::reason_against(mesh, code))
       throw core::InvalidInput(name, "the mesh of " + canon::to_text(code) + ": " + *reason);
     auto shelled = flips::in_shelling_order(mesh, kShellings, seed_for(code));
     const bool is_shelled = shelled.has_value();
@@ -280,7 +280,7 @@ std::vector<canon::Code> TableSearch::without_mesh() const {
 complex::HexComplex TableSearch::mesh(const canon::Code& target) const {
   core::expects(hexahedra(target) != kNone, "the target has a mesh");
   complex::HexComplex mesh = unchecked_mesh(target);
-  ensure_fills(mesh, target);
+  fill::ensure_fills(mesh, target);
   return mesh;
 }
 

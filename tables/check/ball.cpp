@@ -1,6 +1,7 @@
 #include "tables/check/ball.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <queue>
 #include <tuple>
 
@@ -334,6 +335,9 @@ bool is_removal_order(const Incidence& incidence, std::span<const std::uint32_t>
 }
 
 std::string find_ball_proof(const Incidence& incidence) {
+  std::vector<std::uint32_t> listed(incidence.cells.size());
+  std::iota(listed.begin(), listed.end(), 0U);
+  if (is_removal_order(incidence, listed)) return "shelling";
   for (unsigned order = 0; order < kShellingOrders; ++order) {
     if (ShellingSearch(incidence, order).succeeds()) return "shelling";
   }

@@ -8,7 +8,8 @@
 /// only face that contains it, until a vertex is left. A compact 3-manifold that collapses to a
 /// vertex is a ball (J. H. C. Whitehead, Simplicial spaces, nuclei and m-groups, 1939).
 ///
-/// Both searches are greedy, with a fixed list of deterministic orders. Not promised: that one of
+/// The order in which the hexahedra are listed is tried first. Both searches are greedy, with a
+/// fixed list of deterministic orders. Not promised: that one of
 /// them succeeds on every ball; there are balls without shelling and balls without collapse.
 /// Cost of one order: O(H * degree * log H).
 

@@ -13,3 +13,6 @@ hexatlas_test(enum_complex_cell_test fast
 hexatlas_test(enum_complex_triangulation_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/triangulation_test.cpp
   USES enum_complex)
+hexatlas_test(enum_complex_pair_set_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/pair_set_test.cpp
+  USES enum_complex)

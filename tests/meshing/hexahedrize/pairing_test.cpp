@@ -1,6 +1,6 @@
 // Claim. sides_of() tells what lies at each side of each quad and numbers the edges; partners()
-// divides the quads of 3-connected spheres into pairs of neighbours; a PairSet holds what was
-// inserted. Oracle. A search over all pairs of quads; the pairs looked at one by one; std::set.
+// divides the quads of 3-connected spheres into pairs of neighbours. Oracle. A search over all
+// pairs of quads; the pairs looked at one by one.
 #include "meshing/hexahedrize/pairing.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "meshing/hexahedrize/pair_set.hpp"
 #include "tests/meshing/hexahedrize/spheres.hpp"
 
 namespace {
@@ -88,30 +87,6 @@ TEST(RandomSpheres, HaveNoReasonAgainstAFilling) {
     for (const auto& quad : sphere.quads) {
       EXPECT_TRUE(opposite.insert(std::minmax(quad[0], quad[2])).second);
       EXPECT_TRUE(opposite.insert(std::minmax(quad[1], quad[3])).second);
-    }
-  }
-}
-
-TEST(PairSet, IsASet) {
-  for (const std::size_t range : {2U, 9U, 40U, 3000U}) {
-    core::Random random(range);
-    hexahedrize::PairSet set;
-    std::set<std::pair<VertexId, VertexId>> expected;
-    for (int i = 0; i < 20'000; ++i) {
-      auto a = static_cast<VertexId>(random.below(range));
-      auto b = static_cast<VertexId>(random.below(range));
-      if (random.below(50) == 0) a = ~VertexId{0} - a;  // the greatest vertices as well
-      if (a == b) continue;
-      EXPECT_EQ(set.has(a, b), expected.contains(std::minmax(a, b)));
-      if (random.below(2) == 0) continue;
-      set.insert(a, b);
-      expected.insert(std::minmax(a, b));
-      EXPECT_TRUE(set.has(b, a));
-      ASSERT_EQ(set.size(), expected.size());
-    }
-    for (const auto& [a, b] : expected) EXPECT_TRUE(set.has(a, b) && set.has(b, a));
-    if (range == 3000) {
-      EXPECT_GT(set.size(), 5000U) << "it has grown";
     }
   }
 }

@@ -9,6 +9,3 @@ hexatlas_test(tables_build_census_test fast
 hexatlas_test(tables_build_named_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/named_test.cpp
   USES tables_build enum_canon)
-hexatlas_test(tables_build_query_test fast
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/query_test.cpp
-  USES tables_build enum_flips)

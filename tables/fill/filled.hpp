@@ -9,7 +9,7 @@
 #include "enum/canon/code.hpp"
 #include "enum/complex/hex_complex.hpp"
 
-namespace hexatlas::build {
+namespace hexatlas::fill {
 
 /// Why a mesh is none of this boundary: the first law that it breaks (complex::validate), or that
 /// its boundary is not the canonical list of quads of the code, with the same labels and
@@ -20,4 +20,4 @@ namespace hexatlas::build {
 /// Throws InternalError if there is such a reason.
 void ensure_fills(const complex::HexComplex& mesh, const canon::Code& code);
 
-}  // namespace hexatlas::build
+}  // namespace hexatlas::fill

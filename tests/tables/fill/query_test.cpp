@@ -1,7 +1,7 @@
 // Claim. A boundary that is not in a table is filled by way of one that is: the mesh obeys the
 // strict rule and has this boundary; the same for any number of threads; where no way is found,
 // nothing is given. Oracle. Meshes checked by sets.
-#include "tables/build/query.hpp"
+#include "tables/fill/query.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,13 +32,13 @@ TEST(Query, FillsBoundariesByWayOfTheTable) {
   for (const auto& code : beam.codes()) {
     if (code.quads < 16) continue;
     ++asked;
-    build::QueryOptions options{.max_collar = 5, .collars_per_level = 200};
-    const auto mesh = build::fill_through(table, code, options);
+    fill::QueryOptions options{.max_collar = 5, .collars_per_level = 200};
+    const auto mesh = fill::fill_through(table, code, options);
     if (!mesh) continue;
     ++filled;
     EXPECT_EQ(support::fault_of_mesh(*mesh, code), "") << canon::to_text(code);
     options.threads = 3;
-    EXPECT_EQ(build::fill_through(table, code, options)->hexahedra, mesh->hexahedra);
+    EXPECT_EQ(fill::fill_through(table, code, options)->hexahedra, mesh->hexahedra);
   }
   EXPECT_GT(asked, 20U);
   EXPECT_GT(filled, asked / 2);
@@ -47,7 +47,7 @@ TEST(Query, FillsBoundariesByWayOfTheTable) {
 TEST(Query, GivesWhatIsInTheTable) {
   const format::Table table = small_table();
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const auto mesh = build::fill_through(table, table.entry(i).code);
+    const auto mesh = fill::fill_through(table, table.entry(i).code);
     ASSERT_TRUE(mesh);
     EXPECT_EQ(mesh->hexahedra.size(), table.entry(i).hexahedra);
     EXPECT_EQ(support::fault_of_mesh(*mesh, table.entry(i).code), "");
@@ -57,7 +57,7 @@ TEST(Query, GivesWhatIsInTheTable) {
 TEST(Query, MayFindNothing) {
   const format::Table empty = format::Table::from_bytes(format::table_bytes({}, {}), "empty");
   const auto spindle = canon::from_text("q1:088a577f").value();
-  EXPECT_FALSE(build::fill_through(empty, spindle, {.max_collar = 3, .collars_per_level = 50}));
+  EXPECT_FALSE(fill::fill_through(empty, spindle, {.max_collar = 3, .collars_per_level = 50}));
 }
 
 }  // namespace

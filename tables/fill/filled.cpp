@@ -1,4 +1,4 @@
-#include "tables/build/filled.hpp"
+#include "tables/fill/filled.hpp"
 
 #include <string>
 #include <utility>
@@ -6,7 +6,7 @@
 
 #include "enum/core/errors.hpp"
 
-namespace hexatlas::build {
+namespace hexatlas::fill {
 
 std::optional<std::string> reason_against(const complex::HexComplex& mesh,
                                           const canon::Code& code) {
@@ -27,4 +27,4 @@ void ensure_fills(const complex::HexComplex& mesh, const canon::Code& code) {
                               " breaks a law: " + *reason);
 }
 
-}  // namespace hexatlas::build
+}  // namespace hexatlas::fill

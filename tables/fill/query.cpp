@@ -1,4 +1,4 @@
-#include "tables/build/query.hpp"
+#include "tables/fill/query.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -9,9 +9,9 @@
 #include "enum/core/checks.hpp"
 #include "enum/flips/cut.hpp"
 #include "enum/flips/meeting.hpp"
-#include "tables/build/filled.hpp"
+#include "tables/fill/filled.hpp"
 
-namespace hexatlas::build {
+namespace hexatlas::fill {
 namespace {
 
 class TableBalls final : public flips::BallSource {
@@ -57,11 +57,13 @@ std::optional<complex::HexComplex> fill_through(const format::Table& table,
   core::expects(boundary.quads % 2 == 0 && boundary.quads <= flips::kMaxSearchQuads,
                 "a query has an even number of at most 26 quads");
   const TableBalls balls(table);
-  auto mesh = flips::best_cut(balls, boundary, {});
+  std::optional<complex::HexComplex> mesh;
+  if (options.apart.size() == 0) mesh = flips::best_cut(balls, boundary, {});
   flips::MeetingOptions meeting;
   if (mesh) meeting.below = static_cast<int>(mesh->hexahedra.size());
   meeting.max_collar = options.max_collar;
   meeting.first = true;
+  meeting.apart = options.apart;
   meeting.collars.max_quads = flips::kMaxSearchQuads;  // some have no flip that adds less than 4
   meeting.collars.fronts_per_level = options.collars_per_level;
   meeting.collars.seed = options.seed;
@@ -71,4 +73,4 @@ std::optional<complex::HexComplex> fill_through(const format::Table& table,
   return mesh;
 }
 
-}  // namespace hexatlas::build
+}  // namespace hexatlas::fill

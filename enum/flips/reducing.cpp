@@ -1,0 +1,154 @@
+#include "enum/flips/reducing.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <deque>
+#include <utility>
+#include <vector>
+
+#include "enum/core/checks.hpp"
+#include "enum/core/random.hpp"
+#include "enum/flips/pillow.hpp"
+
+namespace hexatlas::flips {
+namespace {
+
+using Patch = Peeling::Patch;
+using Prism = Peeling::Prism;
+
+constexpr unsigned kAllSides = 16;
+
+/// The quads that a flip adds, less those that it takes away.
+constexpr int growth(unsigned sides) { return 4 - 2 * std::popcount(sides); }
+
+class Reducer {
+ public:
+  Reducer(Peeling& peeling, const ReducingOptions& options)
+      : peeling_(peeling), options_(options), open_(static_cast<std::size_t>(options.depth) + 1) {
+    core::expects(options.depth >= 1, "a sequence has at least one flip");
+  }
+
+  void run() {
+    std::vector<std::uint32_t> order = live_quads(peeling_);
+    core::Random random(options_.seed);
+    for (std::size_t i = order.size(); options_.seed != 0 && i > 1; --i)
+      std::swap(order[i - 1], order[random.below(i)]);
+    for (const std::uint32_t q : order) open(q, 1);
+    while (const std::size_t length = least_open()) try_next(length);
+  }
+
+ private:
+  /// Sequences of `length` flips are to be sought at the quad, unless shorter ones are already.
+  void open(std::uint32_t quad, std::size_t length) {
+    if (length >= open_.size()) return;
+    waits_for_.resize(peeling_.quad_numbers(), 0);
+    std::uint8_t& waits = waits_for_[quad];
+    if (waits != 0 && waits <= length) return;
+    waits = static_cast<std::uint8_t>(length);
+    open_[length].push_back(quad);
+  }
+  [[nodiscard]] std::size_t least_open() const {
+    for (std::size_t length = 1; length < open_.size(); ++length)
+      if (!open_[length].empty()) return length;
+    return 0;
+  }
+
+  void try_next(std::size_t length) {
+    const std::uint32_t quad = open_[length].front();
+    open_[length].pop_front();
+    if (!peeling_.is_live(quad) || waits_for_[quad] != length) return;
+    waits_for_[quad] = 0;
+    best_.clear();
+    best_growth_ = 0;
+    looks_ = 0;
+    first_new_ = peeling_.quad_numbers();
+    look_at(quad, length);
+    if (best_.empty())
+      open(quad, length + 1);
+    else
+      apply();
+  }
+
+  void apply() {
+    for (const Patch& patch : best_) {
+      Prism prism;
+      core::expects(peeling_.may_take(patch, prism), "a sequence that was found can be repeated");
+      peeling_.take(patch, prism);
+    }
+    for (std::uint32_t q = first_new_; q < peeling_.quad_numbers(); ++q) {
+      if (!peeling_.is_live(q)) continue;
+      open(q, 1);
+      for (unsigned i = 0; i < 4; ++i) {
+        const std::uint32_t near = neighbour(q, i);
+        open(near, 1);
+        for (unsigned k = 0; k < 4; ++k) open(neighbour(near, k), 1);
+      }
+    }
+  }
+  [[nodiscard]] std::uint32_t neighbour(std::uint32_t quad, unsigned side) const {
+    return peeling_.twin(4 * quad + side) / 4;
+  }
+
+  /// Sets of sides where neighbouring ones meet in an edge.
+  [[nodiscard]] bool is_patch(unsigned sides, unsigned joined) const {
+    const unsigned both = sides & (sides << 1U | sides >> 3U);  // side i and the one before it
+    return (both & ~joined & 15U) == 0;
+  }
+
+  /// Flips with this bottom, `left` more to make. But for the first they take away a new quad.
+  void look_at(std::uint32_t bottom, std::size_t left) {
+    unsigned fresh = 0;
+    unsigned joined = 0;
+    for (unsigned i = 0; i < 4; ++i) {
+      if (neighbour(bottom, i) >= first_new_) fresh |= 1U << i;
+      if (peeling_.degree(peeling_.origin(4 * bottom + i)) == 3) joined |= 1U << i;
+    }
+    const bool all = now_.empty() || bottom >= first_new_;
+    for (unsigned sides = 0; sides < kAllSides && looks_ <= options_.looks; ++sides) {
+      const bool is_wanted = left == 1 ? growth(sides) < best_growth_ : growth(sides) == 0;
+      if (!is_wanted || !(all || (sides & fresh) != 0) || !is_patch(sides, joined)) continue;
+      Prism prism;
+      const Patch patch{bottom, static_cast<std::uint8_t>(sides)};
+      ++looks_;
+      if (!peeling_.may_take(patch, prism)) continue;
+      now_.push_back(patch);
+      if (left == 1) {
+        best_ = now_;
+        best_growth_ = growth(sides);
+      } else {
+        peeling_.take(patch, prism);
+        look_around(left - 1);
+        peeling_.put_back();
+      }
+      now_.pop_back();
+    }
+  }
+
+  void look_around(std::size_t left) {
+    std::vector<std::uint32_t> bottoms;
+    for (std::uint32_t q = first_new_; q < peeling_.quad_numbers(); ++q) {
+      if (!peeling_.is_live(q)) continue;
+      bottoms.push_back(q);
+      for (unsigned i = 0; i < 4; ++i)
+        if (neighbour(q, i) < first_new_) bottoms.push_back(neighbour(q, i));
+    }
+    std::sort(bottoms.begin(), bottoms.end());
+    bottoms.erase(std::unique(bottoms.begin(), bottoms.end()), bottoms.end());
+    for (const std::uint32_t q : bottoms) look_at(q, left);
+  }
+
+  Peeling& peeling_;
+  const ReducingOptions& options_;
+  std::vector<std::deque<std::uint32_t>> open_;  ///< by length
+  std::vector<std::uint8_t> waits_for_;          ///< length, of each quad; 0: for none
+  std::vector<Patch> now_, best_;
+  int best_growth_ = 0;
+  std::size_t looks_ = 0;
+  std::uint32_t first_new_ = 0;  ///< quads from here on are made by the sequence
+};
+
+}  // namespace
+
+void reduce(Peeling& peeling, const ReducingOptions& options) { Reducer(peeling, options).run(); }
+
+}  // namespace hexatlas::flips

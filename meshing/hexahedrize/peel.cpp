@@ -1,0 +1,201 @@
+#include "meshing/hexahedrize/peel.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "enum/canon/code.hpp"
+#include "enum/complex/quadrangulation.hpp"
+#include "enum/core/checks.hpp"
+#include "enum/flips/peeling.hpp"
+#include "enum/flips/pillow.hpp"
+#include "meshing/hexahedrize/linear.hpp"
+#include "meshing/hexahedrize/small_form.hpp"
+#include "tables/fill/query.hpp"
+
+namespace hexatlas::hexahedrize {
+namespace {
+
+using complex::QuadSphere;
+using complex::VertexId;
+using flips::Peeling;
+
+/// Hexahedra per quad by which the linear construction fills a cavity, about.
+constexpr std::size_t kPerQuad = 16;
+/// And by which a table fills a small one.
+constexpr std::size_t kPerSmallQuad = 2;
+/// Zones that cost more for each of their quads are left alone.
+constexpr double kZonePrice = 0.9 * static_cast<double>(kPerQuad);
+
+/// A search by way of the table is worth while for so few quads.
+constexpr bool is_small(std::size_t quads) {
+  return quads <= static_cast<std::size_t>(flips::kMaxSearchQuads);
+}
+
+/// A peeling and the hexahedra that a mesh by way of it will have, about.
+struct Stage {
+  Peeling peeling;
+  std::size_t layers = 0;
+  std::size_t seed = 0;
+
+  void take_layer() {
+    core::expects(flips::take_layer(peeling, flips::live_quads(peeling)),
+                  "a layer below all quads is allowed");
+    ++layers;
+  }
+  [[nodiscard]] std::size_t expected() const {
+    const std::size_t quads = peeling.quads();
+    return peeling.taken().size() + quads * (is_small(quads) ? kPerSmallQuad : kPerQuad);
+  }
+};
+
+void reduce_all(Peeling& peeling, const flips::ReducingOptions& options) {
+  do {
+    flips::reduce(peeling, options);
+  } while (flips::remove_zones(peeling, kZonePrice) > 0);
+}
+
+/// Rounds of reductions with layers between them, as long as that lets expect fewer hexahedra.
+Stage peeled(const QuadSphere& sphere, flips::ReducingOptions options, std::size_t layers,
+             std::size_t seed) {
+  options.seed = seed;
+  Stage best{Peeling(sphere.quads, sphere.vertices()), 0, seed};
+  for (std::size_t layer = 0; layer < layers; ++layer) best.take_layer();
+  reduce_all(best.peeling, options);
+  while (!is_small(best.peeling.quads())) {
+    Stage next = best;
+    next.take_layer();
+    reduce_all(next.peeling, options);
+    if (next.expected() >= best.expected()) break;
+    best = std::move(next);
+  }
+  return best;
+}
+
+/// The cavity as a sphere of its own; point_of are the vertices of the peeling.
+QuadSphere cavity_of(const Peeling& peeling) {
+  QuadSphere result;
+  result.quads = peeling.cavity();
+  for (const auto& quad : result.quads)
+    result.point_of.insert(result.point_of.end(), quad.begin(), quad.end());
+  std::sort(result.point_of.begin(), result.point_of.end());
+  result.point_of.erase(std::unique(result.point_of.begin(), result.point_of.end()),
+                        result.point_of.end());
+  for (auto& quad : result.quads)
+    for (VertexId& v : quad)
+      v = static_cast<VertexId>(
+          std::lower_bound(result.point_of.begin(), result.point_of.end(), v) -
+          result.point_of.begin());
+  return result;
+}
+
+/// Pairs of vertices of the cavity that the hexahedra taken off relate, in canonical labels.
+flips::Scars scars_of(const Peeling& peeling, const QuadSphere& cavity,
+                      const complex::Quadrangulation& boundary, const canon::Labelling& label) {
+  const flips::Relation quads = flips::relation_of_quads(boundary);
+  flips::Scars result;
+  for (std::size_t a = 0; a < cavity.vertices(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if ((quads[a] >> b & 1U) == 0 && peeling.are_related(cavity.point_of[a], cavity.point_of[b]))
+        result.add(label[a], label[b]);
+  return result;
+}
+
+/// A mesh of the cavity in its own vertices that fits the hexahedra taken off; nullopt if none
+/// was found.
+std::optional<complex::HexComplex> from_table(const Peeling& peeling, const QuadSphere& cavity,
+                                              const format::Table& table, int threads) {
+  if (!is_small(cavity.quads.size())) return std::nullopt;
+  const complex::Quadrangulation boundary = small_form(cavity).value();
+  const canon::CanonicalForm form = canon::canonical_form(boundary);
+  auto mesh = fill::fill_through(
+      table, form.code,
+      {.threads = threads, .apart = scars_of(peeling, cavity, boundary, form.label)});
+  if (!mesh) return std::nullopt;
+  return carried_over(std::move(*mesh), form, cavity.vertices());
+}
+
+/// The hexahedra taken off and those of the cavity.
+PeeledMesh joined(const Stage& stage, const QuadSphere& cavity, const complex::HexComplex& rest) {
+  PeeledMesh result;
+  result.mesh.hexahedra = stage.peeling.taken();
+  result.mesh.vertices = stage.peeling.vertices();
+  result.peeled = result.mesh.hexahedra.size();
+  result.layers = stage.layers;
+  result.cavity = cavity.quads.size();
+  const auto on_cavity = static_cast<VertexId>(cavity.vertices());
+  for (complex::Hexahedron cell : rest.hexahedra) {
+    for (VertexId& v : cell)
+      v = v < on_cavity ? cavity.point_of[v] : result.mesh.vertices + v - on_cavity;
+    result.mesh.hexahedra.push_back(cell);
+  }
+  result.mesh.vertices += rest.vertices - on_cavity;
+  return result;
+}
+
+PeeledMesh completed(Stage stage, const format::Table* table,
+                     std::span<const format::Sector> sectors, int threads) {
+  QuadSphere cavity = cavity_of(stage.peeling);
+  if (table != nullptr) {
+    auto rest = from_table(stage.peeling, cavity, *table, threads);
+    if (!rest && is_small(cavity.quads.size())) {
+      stage.take_layer();  // nothing is forbidden then
+      cavity = cavity_of(stage.peeling);
+      rest = from_table(stage.peeling, cavity, *table, threads);
+    }
+    if (rest) {
+      PeeledMesh result = joined(stage, cavity, *rest);
+      result.by_table = true;
+      return result;
+    }
+  }
+  const auto apart = [&](VertexId a, VertexId b) {
+    return stage.peeling.are_related(cavity.point_of[a], cavity.point_of[b]);
+  };
+  return joined(stage, cavity, mesh_by_sectors(cavity, sectors, apart).mesh);
+}
+
+std::size_t tries_for(std::size_t quads, const PeelOptions& options) {
+  if (options.tries > 0) return options.tries;
+  return std::clamp<std::size_t>(20'000 / quads, 1, 50);
+}
+
+}  // namespace
+
+std::optional<PeeledMesh> mesh_by_zones(const QuadSphere& sphere, const format::Table& table,
+                                        const PeelOptions& options) {
+  Stage stage{Peeling(sphere.quads, sphere.vertices()), 0, 0};
+  flips::remove_zones(stage.peeling, std::numeric_limits<double>::infinity());
+  const QuadSphere cavity = cavity_of(stage.peeling);
+  const auto rest = from_table(stage.peeling, cavity, table, options.threads);
+  if (!rest) return std::nullopt;
+  PeeledMesh result = joined(stage, cavity, *rest);
+  result.by_table = true;
+  return result;
+}
+
+PeeledMesh mesh_by_peeling(const QuadSphere& sphere, const format::Table* table,
+                           std::span<const format::Sector> sectors, const PeelOptions& options) {
+  // Few stages are completed: those that let expect the fewest hexahedra.
+  constexpr std::size_t kCompleted = 3;
+  std::vector<Stage> stages;
+  for (std::size_t seed = 0; seed < tries_for(sphere.quads.size(), options); ++seed) {
+    stages.push_back(peeled(sphere, options.reducing, options.layers, seed));
+    std::stable_sort(stages.begin(), stages.end(),
+                     [](const Stage& a, const Stage& b) { return a.expected() < b.expected(); });
+    if (stages.size() > kCompleted) stages.pop_back();
+  }
+  if (options.layers == 0 && is_small(sphere.quads.size()))
+    stages.push_back({Peeling(sphere.quads, sphere.vertices()), 0, 0});
+  std::optional<PeeledMesh> best;
+  for (Stage& stage : stages) {
+    PeeledMesh mesh = completed(std::move(stage), table, sectors, options.threads);
+    if (!best || mesh.mesh.hexahedra.size() < best->mesh.hexahedra.size()) best = std::move(mesh);
+  }
+  return *std::move(best);
+}
+
+}  // namespace hexatlas::hexahedrize

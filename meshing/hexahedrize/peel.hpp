@@ -1,0 +1,60 @@
+#pragma once
+/// \file
+/// Meshing by peeling: hexahedra are taken off inwards from the boundary until what is left is
+/// small, and the rest comes from a table, or from the linear construction.
+///
+/// Method. Short sequences of flips and the removal of zones (enum/flips/reducing.hpp) make the
+/// cavity smaller until none of either is left. Then a layer below all of the cavity clears what
+/// the hexahedra taken off forbid, and it begins anew. Flips that lead from a quadrangulation to
+/// one whose mesh is known: K. Verhetsel, J. Pellerin, J.-F. Remacle, ACM TOG 38(4) (2019), for up
+/// to 20 quads and by search.
+///
+/// Not promised: a bound. About one hexahedron per quad for irregular surfaces; more for large
+/// grids, a cube of k x k x k needs k^3. The linear construction ends what cannot be peeled.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "enum/complex/hex_complex.hpp"
+#include "enum/complex/quad_surface.hpp"
+#include "enum/flips/reducing.hpp"
+#include "tables/format/sectors.hpp"
+#include "tables/format/table.hpp"
+
+namespace hexatlas::hexahedrize {
+
+struct PeelOptions {
+  flips::ReducingOptions reducing{};
+  /// Layers below the whole boundary before anything else: hexahedra of good shape there.
+  std::size_t layers = 0;
+  /// How many orders in which the quads are tried; the mesh with the fewest hexahedra counts. 0:
+  /// as many as take no more than about a second for the first 10,000 quads.
+  std::size_t tries = 0;
+  int threads = 1;  ///< does not change the result
+};
+
+/// Vertices 0 .. sphere.vertices()-1 are those of the sphere.
+struct PeeledMesh {
+  complex::HexComplex mesh;
+  std::size_t peeled = 0;  ///< hexahedra taken off, layers included; they come first
+  std::size_t layers = 0;
+  std::size_t cavity = 0;  ///< quads of what was left
+  bool by_table = false;   ///< the rest is, or comes from, an entry of the table
+};
+
+/// Requires that complex::reason_against_filling(sphere) finds none, and sectors as read_sectors()
+/// gives them. `table` may be null. Deterministic.
+[[nodiscard]] PeeledMesh mesh_by_peeling(const complex::QuadSphere& sphere,
+                                         const format::Table* table,
+                                         std::span<const format::Sector> sectors,
+                                         const PeelOptions& options = {});
+
+/// The mesh that is made by removing zones alone, however many hexahedra that takes, and by an
+/// entry of the table for what is left; nullopt if too much is left. The boundary of a block of k x
+/// l x m hexahedra gives these again.
+[[nodiscard]] std::optional<PeeledMesh> mesh_by_zones(const complex::QuadSphere& sphere,
+                                                      const format::Table& table,
+                                                      const PeelOptions& options = {});
+
+}  // namespace hexatlas::hexahedrize
