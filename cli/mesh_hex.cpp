@@ -122,15 +122,6 @@ Sources sources_of(const MeshHexOptions& options) {
   return result;
 }
 
-hexahedrize::Placing placing_of(const MeshHexOptions& options) {
-  hexahedrize::Placing result;
-  for (untangle::Options* placing : {&result.small, &result.large}) {
-    if (options.effort) placing->effort = *options.effort;
-    placing->threads = parallel::threads_or_all(options.threads);
-  }
-  return result;
-}
-
 }  // namespace
 
 ExitCode mesh_hex(const MeshHexOptions& options) {
@@ -144,7 +135,7 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
   const Sources sources = sources_of(options);
   const auto answer = hexahedrize::hexahedrize(
       surface, {sources.table ? &*sources.table : nullptr, sources.sectors}, name,
-      placing_of(options));
+      {options.effort, parallel::threads_or_all(options.threads)});
   say_notes(answer.notes);
   if (const auto* impossible = std::get_if<hexahedrize::Impossible>(&answer.outcome)) {
     tell_without_mesh(options, name, "impossible", surface.quads.size(),

@@ -67,8 +67,9 @@ Hexahedrized with_coordinates(const complex::HexComplex& cells, const QuadSphere
     std::transform(cell.begin(), cell.end(), cell.begin(), point_of);
     result.mesh.hexahedra.push_back(cell);
   }
+  const int usual = result.mesh.hexahedra.size() <= kSmallMesh ? untangle::kDefaultEffort : 0;
   place(result.mesh, points.size(),
-        result.mesh.hexahedra.size() <= kSmallMesh ? placing.small : placing.large);
+        {.effort = placing.effort.value_or(usual), .threads = placing.threads});
   return result;
 }
 

@@ -36,10 +36,12 @@ enum class Method : std::uint8_t { table, construction };
 /// Meshes of more hexahedra are large.
 inline constexpr std::size_t kSmallMesh = 10'000;
 
-/// How the interior vertices are placed. The default work is too little to change a large mesh.
+/// How the interior vertices are placed.
 struct Placing {
-  untangle::Options small{};
-  untangle::Options large{.effort = 0};
+  /// As of untangle::Options. By default what is usual there, and 0 for a large mesh, which so
+  /// little work does not change.
+  std::optional<int> effort{};
+  int threads = 1;
 };
 
 /// A mesh whose first points are those of the surface, bit for bit and in order; the quads in
