@@ -98,6 +98,15 @@ std::optional<complex::HexComplex> from_table(const format::Table* table,
   return cells;
 }
 
+ConstructionAccount account_of(const LinearMesh& made, std::size_t quads,
+                               std::span<const format::Sector> sectors) {
+  ConstructionAccount account;
+  for (std::size_t i = 0; i < sectors.size(); ++i)
+    account.sectors.push_back({sectors[i].mesh.hexahedra.size(), made.used[i]});
+  account.hexahedra_bound = hexahedra_bound(quads, sectors);
+  return account;
+}
+
 }  // namespace
 
 QuadSphere sphere_of(const mesh::SurfaceMesh& surface, const std::string& file) {
@@ -147,9 +156,10 @@ Answer hexahedrize(const mesh::SurfaceMesh& surface, const Means& means, const s
     answer.outcome = NotInTable{sphere.quads.size(), code};
     return answer;
   }
-  Hexahedrized made = with_coordinates(mesh_by_sectors(sphere, means.sectors).mesh, sphere,
-                                       surface.points, placing);
+  const LinearMesh linear = mesh_by_sectors(sphere, means.sectors);
+  Hexahedrized made = with_coordinates(linear.mesh, sphere, surface.points, placing);
   made.method = Method::construction;
+  made.construction = account_of(linear, sphere.quads.size(), means.sectors);
   answer.outcome = std::move(made);
   return answer;
 }

@@ -15,6 +15,7 @@
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "enum/complex/quad_surface.hpp"
 #include "enum/complex/quadrangulation.hpp"
@@ -44,6 +45,16 @@ struct Placing {
   int threads = 1;
 };
 
+/// What the linear construction did.
+struct ConstructionAccount {
+  struct Use {
+    std::size_t hexahedra = 0;  ///< of the sector
+    std::size_t times = 0;
+  };
+  std::vector<Use> sectors;         ///< in the order of the sectors given
+  std::size_t hexahedra_bound = 0;  ///< for this number of quads, by the theorem (linear.hpp)
+};
+
 /// A mesh whose first points are those of the surface, bit for bit and in order; the quads in
 /// one hexahedron only are those of the surface, up to rotation and the notes on orientation.
 struct Hexahedrized {
@@ -51,6 +62,7 @@ struct Hexahedrized {
   Method method = Method::table;
   std::string code;  ///< of the boundary, the key of the table's entry; else empty
   std::size_t interior_vertices = 0;
+  ConstructionAccount construction;  ///< empty if the mesh is the table's
 };
 
 /// No mesh under the strict rule can have this boundary.
