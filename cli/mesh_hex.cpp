@@ -130,6 +130,7 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
     say("INPUT and --output are the same file. See `hexatlas mesh hex --help`.");
     return ExitCode::usage;
   }
+  expect_mesh_writable(options.output);
   const std::string name = options.input == "-" ? "standard input" : options.input;
   const mesh::SurfaceMesh surface = io::read_surface(options.input);
   const Sources sources = sources_of(options);
