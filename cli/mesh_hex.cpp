@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/mesh_hex_report.hpp"
 #include "cli/mesh_output.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
@@ -20,14 +21,20 @@
 namespace hexatlas::cli {
 namespace {
 
-void say_notes(const hexahedrize::SurfaceNotes& notes) {
+std::vector<std::string> in_words(const hexahedrize::SurfaceNotes& notes) {
+  std::vector<std::string> words;
   if (notes.unused_points > 0)
-    say(fmt::format("note: {} in no quad, kept as points of the mesh",
-                    counted(notes.unused_points, "point is", "points are")));
+    words.push_back(fmt::format("{} in no quad, kept as points of the mesh",
+                                counted(notes.unused_points, "point is", "points are")));
   if (notes.reversed_quads > 0)
-    say(fmt::format("note: {} disagreed with the others in orientation, turned over",
-                    counted(notes.reversed_quads, "quad", "quads")));
-  if (notes.turned_outwards) say("note: the quads faced inwards; all were turned over");
+    words.push_back(fmt::format("{} disagreed with the others in orientation, turned over",
+                                counted(notes.reversed_quads, "quad", "quads")));
+  if (notes.turned_outwards) words.emplace_back("the quads faced inwards; all were turned over");
+  return words;
+}
+
+MeshFiles files_of(const MeshHexOptions& options) {
+  return {options.input, options.output, options.report};
 }
 
 const char* name_of(hexahedrize::Method method) {
@@ -68,16 +75,18 @@ std::string summary(std::size_t quads, const hexahedrize::Hexahedrized& made,
 
 /// Whatever the table or a theorem says, a mesh is written only if the judge accepts it. That it is
 /// a ball the theorem may know better: the judge looks for a proof only so long.
-void expect_accepted(const hexahedrize::Hexahedrized& made, const mesh::SurfaceMesh& surface,
-                     const std::optional<format::Table>& table) {
+check::Verdict expect_accepted(const hexahedrize::Hexahedrized& made,
+                               const mesh::SurfaceMesh& surface,
+                               const std::optional<format::Table>& table) {
   const check::Surface boundary = for_judge(surface);
-  const check::Verdict verdict = check::check_mesh(for_judge(made.mesh), &boundary);
-  if (verdict.accepted) return;
+  check::Verdict verdict = check::check_mesh(for_judge(made.mesh), &boundary);
+  if (verdict.accepted) return verdict;
   const std::string fault = "a mesh that is not valid: " + verdict.reason;
   if (made.method == hexahedrize::Method::table)
     throw core::InvalidInput(table.value().path(), "holds " + fault);
   if (!verdict.undecided) throw core::InternalError("the construction made " + fault);
   say("note: " + verdict.reason);
+  return verdict;
 }
 
 /// Why there is no mesh: a sentence, and with --json an object that holds it. An empty code is one
@@ -93,15 +102,19 @@ void tell_without_mesh(const MeshHexOptions& options, const std::string& name,
   json["reason"] = reason;
   json["code"] = nullptr;
   if (!code.empty()) json["code"] = code;
-  tell(options.output, to_line(json));
+  tell(files_of(options), to_line(json));
 }
 
-ExitCode deliver(const MeshHexOptions& options, std::size_t quads,
-                 const hexahedrize::Hexahedrized& made, double start) {
-  write_mesh(options.output, made.mesh);
-  const quality::Report report = quality::report(made.mesh);
-  tell(options.output, options.json ? json_line(quads, made, report, seconds() - start)
-                                    : summary(quads, made, report, options.output));
+ExitCode deliver(const MeshHexOptions& options, const MeshHexAccount& account, double start) {
+  const std::size_t quads = account.surface.quads.size();
+  write_mesh(options.output, account.made.mesh);
+  const quality::Report report = quality::report(account.made.mesh);
+  const double elapsed = seconds() - start;
+  if (!options.report.empty())
+    core::write_file(options.report,
+                     report_page(report_of(options, account, report, elapsed), account.made.mesh));
+  tell(files_of(options), options.json ? json_line(quads, account.made, report, elapsed)
+                                       : summary(quads, account.made, report, options.output));
   return answer_for(report, options.require_valid);
 }
 
@@ -126,18 +139,16 @@ Sources sources_of(const MeshHexOptions& options) {
 
 ExitCode mesh_hex(const MeshHexOptions& options) {
   const double start = seconds();
-  if (is_same_file(options.input, options.output)) {
-    say("INPUT and --output are the same file. See `hexatlas mesh hex --help`.");
-    return ExitCode::usage;
-  }
-  expect_mesh_writable(options.output);
+  if (!are_distinct(files_of(options), "INPUT", "mesh hex")) return ExitCode::usage;
+  expect_outputs_writable(files_of(options));
   const std::string name = options.input == "-" ? "standard input" : options.input;
   const mesh::SurfaceMesh surface = io::read_surface(options.input);
   const Sources sources = sources_of(options);
   const auto answer = hexahedrize::hexahedrize(
       surface, {sources.table ? &*sources.table : nullptr, sources.sectors}, name,
       {options.effort, parallel::threads_or_all(options.threads)});
-  say_notes(answer.notes);
+  const std::vector<std::string> notes = in_words(answer.notes);
+  for (const std::string& note : notes) say("note: " + note);
   if (const auto* impossible = std::get_if<hexahedrize::Impossible>(&answer.outcome)) {
     tell_without_mesh(options, name, "impossible", surface.quads.size(),
                       "no hexahedral mesh exists: " + impossible->reason, "");
@@ -152,8 +163,8 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
     return ExitCode::undecided;
   }
   const auto& made = std::get<hexahedrize::Hexahedrized>(answer.outcome);
-  expect_accepted(made, surface, sources.table);
-  return deliver(options, surface.quads.size(), made, start);
+  const check::Verdict verdict = expect_accepted(made, surface, sources.table);
+  return deliver(options, {surface, notes, made, verdict}, start);
 }
 
 }  // namespace hexatlas::cli
