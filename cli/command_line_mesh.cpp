@@ -18,6 +18,9 @@ void add_mesh_to_write(CLI::App& app, std::string& output) {
 template <class Options>
 void add_report(CLI::App& app, Options& options) {
   app.add_flag("--json", options.json, "Print one JSON object");
+  app.add_option("--report", options.report,
+                 "Write a page on the mesh: what was done, quality, singular edges (.html); - for "
+                 "standard output");
   app.add_flag("--require-valid", options.require_valid,
                "Exit with 4 unless every hexahedron is proven valid");
 }

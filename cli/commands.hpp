@@ -28,6 +28,7 @@ enum class ExitCode : std::uint8_t {
 
 struct MeshHexOptions {
   std::string input, output, table, sectors;
+  std::string report;           ///< file for a page; empty: none
   std::string method = "auto";  ///< or "table", "zones", "flips", "construction"
   std::size_t layers = 0;
   bool json = false;
@@ -41,6 +42,7 @@ struct MeshHexOptions {
 struct MeshBoundaryOptions {
   std::string boundary;  ///< a name, a canonical code, or a surface file
   std::string output, table;
+  std::string report;  ///< file for a page; empty: none
   bool free_boundary = false;
   bool json = false;
   bool require_valid = false;
@@ -51,6 +53,7 @@ struct MeshBoundaryOptions {
 
 struct MeshUntangleOptions {
   std::string input, output;
+  std::string report;  ///< file for a page; empty: none
   bool harmonic = false;
   bool free_boundary = false;
   bool json = false;

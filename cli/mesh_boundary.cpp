@@ -5,10 +5,12 @@
 #include "cli/boundary_input.hpp"
 #include "cli/commands.hpp"
 #include "cli/mesh_output.hpp"
+#include "cli/mesh_report.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
 #include "enum/canon/code.hpp"
 #include "enum/core/errors.hpp"
+#include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "meshing/hexahedrize/placing.hpp"
 #include "meshing/quality/report.hpp"
@@ -42,11 +44,33 @@ std::string summary(const NamedBoundary& boundary, const mesh::HexMesh& mesh,
       boundary.boundary.quads(), boundary.code, quality_text(report));
 }
 
+MeshReport report_of(const MeshBoundaryOptions& options, const NamedBoundary& boundary,
+                     const check::Verdict& verdict, const quality::Report& report, double elapsed) {
+  Account given{"What was given", {}};
+  given.add("boundary", shown_name(options.boundary, "standard input"));
+  given.add("quads", static_cast<std::size_t>(boundary.boundary.quads()));
+  given.add("points", "none are used");
+  Account done{"What was done", {}};
+  done.add("method", "look-up in the table");
+  done.add("table entry", boundary.code);
+  done.add("boundary", options.free_boundary ? "moved as the interior is"
+                                             : "a convex polyhedron whose edges touch a sphere");
+  done.add("hexahedra", report.hexahedra);
+  done.add("interior vertices", verdict.interior_vertices);
+  done.add("mesh written", shown_name(options.output, "standard output"));
+  done.add_seconds(elapsed);
+  return {shown_name(options.boundary, "standard input"),
+          {given, done, judgement(verdict)},
+          {{"Quality", report}}};
+}
+
 }  // namespace
 
 ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
   const double start = seconds();
-  expect_mesh_writable(options.output);
+  const MeshFiles files{options.boundary, options.output, options.report};
+  if (!are_distinct(files, "BOUNDARY", "mesh boundary")) return ExitCode::usage;
+  expect_outputs_writable(files);
   const NamedBoundary boundary = boundary_from(options.boundary);
   const format::Table table = format::Table::open(table_path(options.table));
   const auto ordinal = table.find(canon::from_text(boundary.code).value());
@@ -65,9 +89,12 @@ ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
     throw core::InvalidInput(table.path(), "holds a mesh that is not valid: " + verdict.reason);
   write_mesh(options.output, mesh);
   const quality::Report report = quality::report(mesh);
-  tell(options.output,
-       options.json ? json_line(boundary, mesh, options.free_boundary, report, seconds() - start)
-                    : summary(boundary, mesh, report, options.output));
+  const double elapsed = seconds() - start;
+  if (!options.report.empty())
+    core::write_file(options.report,
+                     report_page(report_of(options, boundary, verdict, report, elapsed), mesh));
+  tell(files, options.json ? json_line(boundary, mesh, options.free_boundary, report, elapsed)
+                           : summary(boundary, mesh, report, options.output));
   return answer_for(report, options.require_valid);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/mesh_hex_report.hpp"
 #include "cli/mesh_output.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
@@ -20,14 +21,20 @@
 namespace hexatlas::cli {
 namespace {
 
-void say_notes(const hexahedrize::SurfaceNotes& notes) {
+std::vector<std::string> in_words(const hexahedrize::SurfaceNotes& notes) {
+  std::vector<std::string> words;
   if (notes.unused_points > 0)
-    say(fmt::format("note: {} in no quad, kept as points of the mesh",
-                    counted(notes.unused_points, "point is", "points are")));
+    words.push_back(fmt::format("{} in no quad, kept as points of the mesh",
+                                counted(notes.unused_points, "point is", "points are")));
   if (notes.reversed_quads > 0)
-    say(fmt::format("note: {} disagreed with the others in orientation, turned over",
-                    counted(notes.reversed_quads, "quad", "quads")));
-  if (notes.turned_outwards) say("note: the quads faced inwards; all were turned over");
+    words.push_back(fmt::format("{} disagreed with the others in orientation, turned over",
+                                counted(notes.reversed_quads, "quad", "quads")));
+  if (notes.turned_outwards) words.emplace_back("the quads faced inwards; all were turned over");
+  return words;
+}
+
+MeshFiles files_of(const MeshHexOptions& options) {
+  return {options.input, options.output, options.report};
 }
 
 const char* name_of(hexahedrize::Method method) {
@@ -54,12 +61,13 @@ std::string account_of(const hexahedrize::Hexahedrized& made) {
       return "table entry " + made.code;
     case hexahedrize::Method::zones:
       return fmt::format("{} zone by zone, the rest of {} quads filled by the table",
-                         counted(made.peeled, "hexahedron", "hexahedra"), made.cavity);
+                         counted(made.peeling->peeled, "hexahedron", "hexahedra"),
+                         made.peeling->cavity);
     case hexahedrize::Method::flips:
       return fmt::format("{} taken off in {} and by flips, the rest of {} quads filled by {}",
-                         counted(made.peeled, "hexahedron", "hexahedra"),
-                         counted(made.layers, "layer", "layers"), made.cavity,
-                         made.cavity_by_table ? "the table" : "sectors");
+                         counted(made.peeling->peeled, "hexahedron", "hexahedra"),
+                         counted(made.peeling->layers, "layer", "layers"), made.peeling->cavity,
+                         made.peeling->by_table ? "the table" : "sectors");
     case hexahedrize::Method::construction:
       return "by the linear construction";
   }
@@ -78,11 +86,11 @@ std::string json_line(std::size_t quads, const hexahedrize::Hexahedrized& made,
   json["hexahedra_per_quad"] = per_quad(report, quads);
   for (const char* key : {"peeled", "layers", "cavity_quads", "cavity_filled_by"})
     json[key] = nullptr;
-  if (made.cavity > 0) {
-    json["peeled"] = made.peeled;
-    json["layers"] = made.layers;
-    json["cavity_quads"] = made.cavity;
-    json["cavity_filled_by"] = made.cavity_by_table ? "table" : "sectors";
+  if (made.peeling) {
+    json["peeled"] = made.peeling->peeled;
+    json["layers"] = made.peeling->layers;
+    json["cavity_quads"] = made.peeling->cavity;
+    json["cavity_filled_by"] = made.peeling->by_table ? "table" : "sectors";
   }
   json["table_entry"] = nullptr;
   if (!made.code.empty()) json["table_entry"] = made.code;
@@ -103,17 +111,19 @@ std::string summary(std::size_t quads, const hexahedrize::Hexahedrized& made,
 
 /// Whatever the table or a theorem says, a mesh is written only if the judge accepts it. That it is
 /// a ball the theorem may know better: the judge looks for a proof only so long.
-void expect_accepted(const hexahedrize::Hexahedrized& made, const mesh::SurfaceMesh& surface,
-                     const std::optional<format::Table>& table) {
+check::Verdict expect_accepted(const hexahedrize::Hexahedrized& made,
+                               const mesh::SurfaceMesh& surface,
+                               const std::optional<format::Table>& table) {
   const check::Surface boundary = for_judge(surface);
-  const check::Verdict verdict = check::check_mesh(for_judge(made.mesh), &boundary);
-  if (verdict.accepted) return;
+  check::Verdict verdict = check::check_mesh(for_judge(made.mesh), &boundary);
+  if (verdict.accepted) return verdict;
   const std::string fault = "a mesh that is not valid: " + verdict.reason;
   if (made.method == hexahedrize::Method::table)
     throw core::InvalidInput(table.value().path(), "holds " + fault);
   if (!verdict.undecided)
     throw core::InternalError(std::string(name_of(made.method)) + " made " + fault);
   say("note: " + verdict.reason);
+  return verdict;
 }
 
 /// Why there is no mesh: a sentence, and with --json an object that holds it. An empty code is one
@@ -129,15 +139,19 @@ void tell_without_mesh(const MeshHexOptions& options, const std::string& name,
   json["reason"] = reason;
   json["code"] = nullptr;
   if (!code.empty()) json["code"] = code;
-  tell(options.output, to_line(json));
+  tell(files_of(options), to_line(json));
 }
 
-ExitCode deliver(const MeshHexOptions& options, std::size_t quads,
-                 const hexahedrize::Hexahedrized& made, double start) {
-  write_mesh(options.output, made.mesh);
-  const quality::Report report = quality::report(made.mesh);
-  tell(options.output, options.json ? json_line(quads, made, report, seconds() - start)
-                                    : summary(quads, made, report, options.output));
+ExitCode deliver(const MeshHexOptions& options, const MeshHexAccount& account, double start) {
+  const std::size_t quads = account.surface.quads.size();
+  write_mesh(options.output, account.made.mesh);
+  const quality::Report report = quality::report(account.made.mesh);
+  const double elapsed = seconds() - start;
+  if (!options.report.empty())
+    core::write_file(options.report,
+                     report_page(report_of(options, account, report, elapsed), account.made.mesh));
+  tell(files_of(options), options.json ? json_line(quads, account.made, report, elapsed)
+                                       : summary(quads, account.made, report, options.output));
   return answer_for(report, options.require_valid);
 }
 
@@ -162,23 +176,12 @@ Sources sources_of(const MeshHexOptions& options) {
   return result;
 }
 
-hexahedrize::Placing placing_of(const MeshHexOptions& options) {
-  hexahedrize::Placing result;
-  for (untangle::Options* placing : {&result.small, &result.large}) {
-    if (options.effort) placing->effort = *options.effort;
-    placing->threads = parallel::threads_or_all(options.threads);
-  }
-  return result;
-}
-
 }  // namespace
 
 ExitCode mesh_hex(const MeshHexOptions& options) {
   const double start = seconds();
-  if (is_same_file(options.input, options.output)) {
-    say("INPUT and --output are the same file. See `hexatlas mesh hex --help`.");
-    return ExitCode::usage;
-  }
+  if (!are_distinct(files_of(options), "INPUT", "mesh hex")) return ExitCode::usage;
+  expect_outputs_writable(files_of(options));
   const std::string name = options.input == "-" ? "standard input" : options.input;
   const mesh::SurfaceMesh surface = io::read_surface(options.input);
   const Sources sources = sources_of(options);
@@ -188,8 +191,9 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
        .sectors = sources.sectors,
        .only = sources.only,
        .peeling = {.layers = options.layers, .threads = parallel::threads_or_all(options.threads)}},
-      name, placing_of(options));
-  say_notes(answer.notes);
+      name, {options.effort, parallel::threads_or_all(options.threads)});
+  const std::vector<std::string> notes = in_words(answer.notes);
+  for (const std::string& note : notes) say("note: " + note);
   if (const auto* impossible = std::get_if<hexahedrize::Impossible>(&answer.outcome)) {
     tell_without_mesh(options, name, "impossible", surface.quads.size(),
                       "no hexahedral mesh exists: " + impossible->reason, "");
@@ -206,8 +210,8 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
     return ExitCode::undecided;
   }
   const auto& made = std::get<hexahedrize::Hexahedrized>(answer.outcome);
-  expect_accepted(made, surface, sources.table);
-  return deliver(options, surface.quads.size(), made, start);
+  const check::Verdict verdict = expect_accepted(made, surface, sources.table);
+  return deliver(options, {surface, notes, made, verdict}, start);
 }
 
 }  // namespace hexatlas::cli

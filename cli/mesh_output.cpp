@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cli/output.hpp"
+#include "enum/core/files.hpp"
 #include "meshing/io/mesh_files.hpp"
 
 namespace hexatlas::cli {
@@ -28,6 +29,15 @@ std::vector<check::Point> points_of(const std::vector<mesh::Point>& points) {
 /// Standard output has no extension.
 std::optional<io::FileFormat> format_on(const std::string& output) {
   return output == "-" ? std::optional(io::FileFormat::vtk) : std::nullopt;
+}
+
+/// Two outputs are one file also if it is not there yet.
+bool is_same_output(const std::string& a, const std::string& b) {
+  if (a == "-" || b == "-") return a == b;
+  namespace fs = std::filesystem;
+  std::error_code error;  // a folder that is not there is told by who tests it
+  return is_same_file(a, b) || fs::weakly_canonical(fs::absolute(a), error) ==
+                                   fs::weakly_canonical(fs::absolute(b), error);
 }
 
 }  // namespace
@@ -48,6 +58,25 @@ check::Mesh for_judge(const mesh::HexMesh& mesh) {
 
 check::Surface for_judge(const mesh::SurfaceMesh& surface) {
   return {points_of(surface.points), {surface.quads.begin(), surface.quads.end()}};
+}
+
+bool are_distinct(const MeshFiles& files, const char* input, const char* verb) {
+  const bool has_report = !files.report.empty();
+  std::string same;
+  if (is_same_file(files.input, files.output))
+    same = fmt::format("{} and --output", input);
+  else if (has_report && is_same_file(files.input, files.report))
+    same = fmt::format("{} and --report", input);
+  else if (has_report && is_same_output(files.output, files.report))
+    same = "--output and --report";
+  if (!same.empty())
+    say(fmt::format("{} are the same file. See `hexatlas {} --help`.", same, verb));
+  return same.empty();
+}
+
+void expect_outputs_writable(const MeshFiles& files) {
+  expect_mesh_writable(files.output);
+  if (!files.report.empty()) core::expect_writable(files.report);
 }
 
 void expect_mesh_writable(const std::string& output) {
@@ -89,6 +118,10 @@ void tell(const std::string& output, const std::string& text) {
     say_text(text);
   else
     print(text);
+}
+
+void tell(const MeshFiles& files, const std::string& text) {
+  tell(files.report == "-" ? files.report : files.output, text);
 }
 
 }  // namespace hexatlas::cli

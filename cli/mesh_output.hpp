@@ -12,12 +12,25 @@
 
 namespace hexatlas::cli {
 
+/// The files of a verb; "-" is a standard stream.
+struct MeshFiles {
+  std::string input, output;
+  std::string report;  ///< empty: none
+};
+
 /// The output would take the place of the input.
 [[nodiscard]] bool is_same_file(const std::string& input, const std::string& output);
 
 /// The mesh and the surface as the judge takes them.
 [[nodiscard]] check::Mesh for_judge(const mesh::HexMesh& mesh);
 [[nodiscard]] check::Surface for_judge(const mesh::SurfaceMesh& surface);
+
+/// Whether no two of the files are the same, which would lose one of them; says so if they are.
+/// `input` is its word on the command line of the verb.
+[[nodiscard]] bool are_distinct(const MeshFiles& files, const char* input, const char* verb);
+
+/// Before long work: that the mesh and the report can be written.
+void expect_outputs_writable(const MeshFiles& files);
 
 /// io::expect_hexahedra_writable() for write_mesh().
 void expect_mesh_writable(const std::string& output);
@@ -26,6 +39,8 @@ void write_mesh(const std::string& output, const mesh::HexMesh& mesh);
 
 /// Data. With the mesh on standard output they go to standard error.
 void tell(const std::string& output, const std::string& text);
+/// Likewise with the mesh or the report there.
+void tell(const MeshFiles& files, const std::string& text);
 
 /// Two lines: the scaled Jacobians and what is proven; the hexahedra by tenths of the scaled
 /// Jacobian.

@@ -6,8 +6,10 @@
 
 #include "cli/commands.hpp"
 #include "cli/mesh_output.hpp"
+#include "cli/mesh_report.hpp"
 #include "cli/output.hpp"
 #include "enum/core/errors.hpp"
+#include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "meshing/hexahedrize/placing.hpp"
 #include "meshing/io/mesh_files.hpp"
@@ -31,22 +33,39 @@ nlohmann::ordered_json json_of(const quality::Report& report) {
   return json;
 }
 
+MeshReport report_of(const MeshUntangleOptions& options, std::size_t moved,
+                     const quality::Report& before, const quality::Report& after, double elapsed) {
+  Account given{"What was given", {}};
+  given.add("mesh", shown_name(options.input, "standard input"));
+  given.add("hexahedra", before.hexahedra);
+  Account done{"What was done", {}};
+  done.add("method", options.harmonic ? "better places, from harmonic ones"
+                                      : "better places, from those given");
+  done.add("boundary", options.free_boundary ? "moved as the interior is" : "kept, bit for bit");
+  done.add("free vertices", moved);
+  done.add("mesh written", shown_name(options.output, "standard output"));
+  done.add("judge", "not asked: which hexahedra share what is as it was");
+  done.add_seconds(elapsed);
+  return {shown_name(options.input, "standard input"),
+          {given, done},
+          {{"Quality before", before}, {"Quality after", after}}};
+}
+
 }  // namespace
 
 ExitCode mesh_untangle(const MeshUntangleOptions& options) {
   const double start = seconds();
-  if (is_same_file(options.input, options.output)) {
-    say("MESH and --output are the same file. See `hexatlas mesh untangle --help`.");
-    return ExitCode::usage;
-  }
-  expect_mesh_writable(options.output);
+  const MeshFiles files{options.input, options.output, options.report};
+  if (!are_distinct(files, "MESH", "mesh untangle")) return ExitCode::usage;
+  expect_outputs_writable(files);
   mesh::HexMesh mesh = io::read_hexahedra(options.input);
   const std::string name = options.input == "-" ? "standard input" : options.input;
   expect_placeable(mesh, name);
   std::vector<std::uint8_t> is_free = options.free_boundary
                                           ? std::vector<std::uint8_t>(mesh.points.size(), 1)
                                           : hexahedrize::interior_points(mesh);
-  const auto moved = std::count(is_free.begin(), is_free.end(), std::uint8_t{1});
+  const auto moved =
+      static_cast<std::size_t>(std::count(is_free.begin(), is_free.end(), std::uint8_t{1}));
   const quality::Report before = quality::report(mesh);
   hexahedrize::place(mesh, std::move(is_free),
                      {.effort = options.effort,
@@ -54,20 +73,23 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
                       .starts_as_given = !options.harmonic});
   write_mesh(options.output, mesh);
   const quality::Report report = quality::report(mesh);
+  const double elapsed = seconds() - start;
+  if (!options.report.empty())
+    core::write_file(options.report,
+                     report_page(report_of(options, moved, before, report, elapsed), mesh));
   if (options.json) {
     nlohmann::ordered_json json;
     json["hexahedra"] = report.hexahedra;
     json["free_vertices"] = moved;
     json["before"] = json_of(before);
     json["after"] = json_of(report);
-    json["seconds"] = seconds() - start;
-    tell(options.output, to_line(json));
+    json["seconds"] = elapsed;
+    tell(files, to_line(json));
   } else {
-    tell(options.output,
-         fmt::format("{}: {}, {}\nbefore\n{}after\n{}", options.output,
-                     counted(report.hexahedra, "hexahedron", "hexahedra"),
-                     counted(static_cast<std::size_t>(moved), "free vertex", "free vertices"),
-                     quality_text(before), quality_text(report)));
+    tell(files, fmt::format("{}: {}, {}\nbefore\n{}after\n{}", options.output,
+                            counted(report.hexahedra, "hexahedron", "hexahedra"),
+                            counted(moved, "free vertex", "free vertices"), quality_text(before),
+                            quality_text(report)));
   }
   return answer_for(report, options.require_valid);
 }

@@ -54,8 +54,9 @@ Hexahedrized with_coordinates(const complex::HexComplex& cells, const QuadSphere
     std::transform(cell.begin(), cell.end(), cell.begin(), point_of);
     result.mesh.hexahedra.push_back(cell);
   }
+  const int usual = result.mesh.hexahedra.size() <= kSmallMesh ? untangle::kDefaultEffort : 0;
   place(result.mesh, points.size(),
-        result.mesh.hexahedra.size() <= kSmallMesh ? placing.small : placing.large);
+        {.effort = placing.effort.value_or(usual), .threads = placing.threads});
   return result;
 }
 
@@ -82,6 +83,16 @@ std::optional<complex::HexComplex> from_table(const format::Table* table,
     throw core::InvalidInput(table->path(),
                              "holds a mesh of another boundary under " + canon::to_text(form.code));
   return cells;
+}
+
+/// Of `used`, how often each of the sectors was used for so many quads.
+ConstructionAccount account_of(const std::vector<std::size_t>& used, std::size_t quads,
+                               std::span<const format::Sector> sectors) {
+  ConstructionAccount account;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    account.sectors.push_back({sectors[i].mesh.hexahedra.size(), used[i]});
+  account.hexahedra_bound = hexahedra_bound(quads, sectors);
+  return account;
 }
 
 }  // namespace
@@ -118,10 +129,7 @@ Hexahedrized with_account(const PeeledMesh& peeled, Method method, const QuadSph
                           const mesh::SurfaceMesh& surface, const Placing& placing) {
   Hexahedrized made = with_coordinates(peeled.mesh, sphere, surface.points, placing);
   made.method = method;
-  made.peeled = peeled.peeled;
-  made.layers = peeled.layers;
-  made.cavity = peeled.cavity;
-  made.cavity_by_table = peeled.by_table;
+  made.peeling = peeled.account;
   return made;
 }
 
@@ -137,13 +145,18 @@ std::variant<Hexahedrized, Impossible, NotInTable> meshed(const QuadSphere& sphe
   if (may(Method::zones) && means.table != nullptr)
     if (const auto peeled = mesh_by_zones(sphere, *means.table, means.peeling))
       return with_account(*peeled, Method::zones, sphere, surface, placing);
-  if (may(Method::flips))
-    return with_account(mesh_by_peeling(sphere, means.table, means.sectors, means.peeling),
-                        Method::flips, sphere, surface, placing);
+  if (may(Method::flips)) {
+    const PeeledMesh peeled = mesh_by_peeling(sphere, means.table, means.sectors, means.peeling);
+    Hexahedrized made = with_account(peeled, Method::flips, sphere, surface, placing);
+    if (!peeled.account.by_table)
+      made.construction = account_of(peeled.used, peeled.account.cavity, means.sectors);
+    return made;
+  }
   if (!may(Method::construction)) return NotInTable{sphere.quads.size(), code};
-  Hexahedrized made = with_coordinates(mesh_by_sectors(sphere, means.sectors).mesh, sphere,
-                                       surface.points, placing);
+  const LinearMesh linear = mesh_by_sectors(sphere, means.sectors);
+  Hexahedrized made = with_coordinates(linear.mesh, sphere, surface.points, placing);
   made.method = Method::construction;
+  made.construction = account_of(linear.used, sphere.quads.size(), means.sectors);
   return made;
 }
 

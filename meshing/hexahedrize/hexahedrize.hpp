@@ -16,6 +16,7 @@
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "enum/complex/quad_surface.hpp"
 #include "meshing/hexahedrize/peel.hpp"
@@ -45,10 +46,22 @@ struct Means {
 /// Meshes of more hexahedra are large.
 inline constexpr std::size_t kSmallMesh = 10'000;
 
-/// How the interior vertices are placed. The default work is too little to change a large mesh.
+/// How the interior vertices are placed.
 struct Placing {
-  untangle::Options small{};
-  untangle::Options large{.effort = 0};
+  /// As of untangle::Options. By default what is usual there, and 0 for a large mesh, which so
+  /// little work does not change.
+  std::optional<int> effort{};
+  int threads = 1;
+};
+
+/// What the linear construction did.
+struct ConstructionAccount {
+  struct Use {
+    std::size_t hexahedra = 0;  ///< of the sector
+    std::size_t times = 0;
+  };
+  std::vector<Use> sectors;         ///< in the order of the sectors given
+  std::size_t hexahedra_bound = 0;  ///< for this number of quads, by the theorem (linear.hpp)
 };
 
 /// A mesh whose first points are those of the surface, bit for bit and in order; the quads in
@@ -58,10 +71,8 @@ struct Hexahedrized {
   Method method = Method::table;
   std::string code;  ///< of the boundary, the key of the table's entry; else empty
   std::size_t interior_vertices = 0;
-  /// By zones or flips: hexahedra taken off the boundary, whole layers among them, the quads of
-  /// what was left inside, and whether the table filled that or sectors did.
-  std::size_t peeled = 0, layers = 0, cavity = 0;
-  bool cavity_by_table = false;
+  std::optional<PeelAccount> peeling;  ///< by zones or flips
+  ConstructionAccount construction;    ///< by construction, of the whole or of what flips left
 };
 
 /// No mesh under the strict rule can have this boundary.

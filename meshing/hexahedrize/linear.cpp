@@ -173,4 +173,11 @@ LinearMesh mesh_by_sectors(const QuadSphere& sphere, std::span<const Sector> sec
   return Construction(sphere, sectors, apart).run();
 }
 
+std::size_t hexahedra_bound(std::size_t quads, std::span<const Sector> sectors) {
+  const auto always_fits = std::find_if(sectors.begin(), sectors.end(),
+                                        [](const Sector& sector) { return sector.scars.empty(); });
+  core::expects(always_fits != sectors.end(), "one of the sectors has no scars");
+  return always_fits->mesh.hexahedra.size() * (quads / 2);
+}
+
 }  // namespace hexatlas::hexahedrize

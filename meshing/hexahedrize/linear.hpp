@@ -15,6 +15,7 @@
 /// parity: S. Mitchell (1996), D. Eppstein (1999), J. Erickson (2014). The sectors and their
 /// fillings are of this project.
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <vector>
@@ -36,11 +37,15 @@ using Apart = std::function<bool(complex::VertexId, complex::VertexId)>;
 
 /// Requires that complex::reason_against_filling(sphere) finds none, and sectors as read_sectors()
 /// gives them. The first of them that fits is taken for each pair, in the order of the quads.
-/// At most h n / 2 hexahedra for n quads, h being those of the first sector without scars.
-/// Deterministic. Cost: linear but for the pairing; some 2 KB per quad.
-/// What `apart` says of two vertices in one quad is without effect.
+/// At most hexahedra_bound() hexahedra. Deterministic. Cost: linear but for the pairing; some 2 KB
+/// per quad. What `apart` says of two vertices in one quad is without effect.
 [[nodiscard]] LinearMesh mesh_by_sectors(const complex::QuadSphere& sphere,
                                          std::span<const format::Sector> sectors,
                                          const Apart& apart = {});
+
+/// h n / 2 for an even number n of quads, h being the hexahedra of the first sector without scars.
+/// Requires that there is one.
+[[nodiscard]] std::size_t hexahedra_bound(std::size_t quads,
+                                          std::span<const format::Sector> sectors);
 
 }  // namespace hexatlas::hexahedrize

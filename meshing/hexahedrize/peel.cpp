@@ -123,9 +123,9 @@ PeeledMesh joined(const Stage& stage, const QuadSphere& cavity, const complex::H
   PeeledMesh result;
   result.mesh.hexahedra = stage.peeling.taken();
   result.mesh.vertices = stage.peeling.vertices();
-  result.peeled = result.mesh.hexahedra.size();
-  result.layers = stage.layers;
-  result.cavity = cavity.quads.size();
+  result.account = {.peeled = result.mesh.hexahedra.size(),
+                    .layers = stage.layers,
+                    .cavity = cavity.quads.size()};
   const auto on_cavity = static_cast<VertexId>(cavity.vertices());
   for (complex::Hexahedron cell : rest.hexahedra) {
     for (VertexId& v : cell)
@@ -148,14 +148,17 @@ PeeledMesh completed(Stage stage, const format::Table* table,
     }
     if (rest) {
       PeeledMesh result = joined(stage, cavity, *rest);
-      result.by_table = true;
+      result.account.by_table = true;
       return result;
     }
   }
   const auto apart = [&](VertexId a, VertexId b) {
     return stage.peeling.are_related(cavity.point_of[a], cavity.point_of[b]);
   };
-  return joined(stage, cavity, mesh_by_sectors(cavity, sectors, apart).mesh);
+  LinearMesh linear = mesh_by_sectors(cavity, sectors, apart);
+  PeeledMesh result = joined(stage, cavity, linear.mesh);
+  result.used = std::move(linear.used);
+  return result;
 }
 
 std::size_t tries_for(std::size_t quads, const PeelOptions& options) {
@@ -173,7 +176,7 @@ std::optional<PeeledMesh> mesh_by_zones(const QuadSphere& sphere, const format::
   const auto rest = from_table(stage.peeling, cavity, table, options.threads);
   if (!rest) return std::nullopt;
   PeeledMesh result = joined(stage, cavity, *rest);
-  result.by_table = true;
+  result.account.by_table = true;
   return result;
 }
 

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "enum/complex/hex_complex.hpp"
 #include "enum/complex/quad_surface.hpp"
@@ -34,13 +35,20 @@ struct PeelOptions {
   int threads = 1;  ///< does not change the result
 };
 
-/// Vertices 0 .. sphere.vertices()-1 are those of the sphere.
-struct PeeledMesh {
-  complex::HexComplex mesh;
-  std::size_t peeled = 0;  ///< hexahedra taken off, layers included; they come first
+struct PeelAccount {
+  std::size_t peeled = 0;  ///< hexahedra taken off, layers included
   std::size_t layers = 0;
   std::size_t cavity = 0;  ///< quads of what was left
-  bool by_table = false;   ///< the rest is, or comes from, an entry of the table
+  bool by_table = false;   ///< the rest comes from an entry of the table, else from sectors
+};
+
+/// Vertices 0 .. sphere.vertices()-1 are those of the sphere. The hexahedra taken off come first,
+/// in this order; if the table filled the rest with a ball that it has, the others can be taken
+/// off in the order given as well, so that all of it is a shelling read backwards.
+struct PeeledMesh {
+  complex::HexComplex mesh;
+  PeelAccount account;
+  std::vector<std::size_t> used;  ///< how often each of the sectors given, for the rest
 };
 
 /// Requires that complex::reason_against_filling(sphere) finds none, and sectors as read_sectors()

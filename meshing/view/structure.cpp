@@ -64,9 +64,9 @@ Use use_of(Index v, Index w, bool is_boundary) {
   return {std::min(v, w), std::max(v, w), is_boundary};
 }
 
-/// The edges for which is_regular(edge) is false.
-template <class Regular>
-std::vector<Edge> irregular(std::vector<Use> uses, Regular is_regular) {
+/// The edges for which is_wanted(edge) is true.
+template <class Wanted>
+std::vector<Edge> edges_of(std::vector<Use> uses, Wanted is_wanted) {
   std::sort(uses.begin(), uses.end(),
             [](const Use& x, const Use& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); });
   std::vector<Edge> found;
@@ -76,7 +76,7 @@ std::vector<Edge> irregular(std::vector<Use> uses, Regular is_regular) {
       ++edge.valence;
       edge.is_boundary |= uses[i].is_boundary;
     }
-    if (!is_regular(edge)) found.push_back(edge);
+    if (is_wanted(edge)) found.push_back(edge);
   }
   return found;
 }
@@ -89,6 +89,44 @@ constexpr std::array<unsigned, cells::kCubeFacets> corner_sets() {
   return sets;
 }
 constexpr auto kCornerSets = corner_sets();
+
+void expect_neighbours_of(const mesh::HexMesh& mesh, const Neighbours& neighbours) {
+  expect_indices(mesh);
+  core::expects(neighbours.size() == mesh.hexahedra.size(), "view: neighbours are of this mesh");
+}
+
+std::vector<Use> uses_of_edges(const mesh::HexMesh& mesh, const Neighbours& neighbours) {
+  expect_neighbours_of(mesh, neighbours);
+  std::vector<Use> uses;
+  uses.reserve(mesh.hexahedra.size() * kEdges.size());
+  for (std::size_t cell = 0; cell < mesh.hexahedra.size(); ++cell)
+    for (const auto& [v, w] : kEdges) {
+      bool is_boundary = false;
+      for (std::size_t f = 0; f < kCornerSets.size(); ++f)
+        is_boundary |= neighbours[cell][f] == kNobody && (kCornerSets[f] >> v & 1U) != 0 &&
+                       (kCornerSets[f] >> w & 1U) != 0;
+      uses.push_back(use_of(mesh.hexahedra[cell][v], mesh.hexahedra[cell][w], is_boundary));
+    }
+  return uses;
+}
+
+enum class Place : std::uint8_t { unused, interior, boundary };
+
+/// Of each point.
+std::vector<Place> places_of(const mesh::HexMesh& mesh, const Neighbours& neighbours) {
+  expect_neighbours_of(mesh, neighbours);
+  std::vector<Place> place(mesh.points.size(), Place::unused);
+  for (std::size_t cell = 0; cell < mesh.hexahedra.size(); ++cell) {
+    unsigned on_boundary = 0;
+    for (std::size_t f = 0; f < kCornerSets.size(); ++f)
+      if (neighbours[cell][f] == kNobody) on_boundary |= kCornerSets[f];
+    for (std::size_t v = 0; v < cells::kCubeVertices; ++v) {
+      Place& known = place[mesh.hexahedra[cell][v]];
+      known = std::max(known, (on_boundary >> v & 1U) != 0 ? Place::boundary : Place::interior);
+    }
+  }
+  return place;
+}
 
 }  // namespace
 
@@ -126,20 +164,8 @@ std::vector<std::uint32_t> layers_of(const Neighbours& neighbours) {
 }
 
 std::vector<Edge> singular_edges(const mesh::HexMesh& mesh, const Neighbours& neighbours) {
-  expect_indices(mesh);
-  core::expects(neighbours.size() == mesh.hexahedra.size(), "view: neighbours are of this mesh");
-  std::vector<Use> uses;
-  uses.reserve(mesh.hexahedra.size() * kEdges.size());
-  for (std::size_t cell = 0; cell < mesh.hexahedra.size(); ++cell)
-    for (const auto& [v, w] : kEdges) {
-      bool is_boundary = false;
-      for (std::size_t f = 0; f < kCornerSets.size(); ++f)
-        is_boundary |= neighbours[cell][f] == kNobody && (kCornerSets[f] >> v & 1U) != 0 &&
-                       (kCornerSets[f] >> w & 1U) != 0;
-      uses.push_back(use_of(mesh.hexahedra[cell][v], mesh.hexahedra[cell][w], is_boundary));
-    }
-  return irregular(std::move(uses),
-                   [](const Edge& edge) { return edge.valence == (edge.is_boundary ? 2U : 4U); });
+  return edges_of(uses_of_edges(mesh, neighbours),
+                  [](const Edge& edge) { return edge.valence != (edge.is_boundary ? 2U : 4U); });
 }
 
 std::vector<Edge> singular_edges(const mesh::FacetMesh& surface) {
@@ -148,28 +174,30 @@ std::vector<Edge> singular_edges(const mesh::FacetMesh& surface) {
     for (std::size_t i = 0; i < facet.size; ++i)
       uses.push_back(use_of(facet.vertices[i], facet.vertices[(i + 1) % facet.size], false));
   std::vector<Edge> edges =
-      irregular(std::move(uses), [](const Edge& edge) { return edge.valence == 2; });
+      edges_of(std::move(uses), [](const Edge& edge) { return edge.valence != 2; });
   for (Edge& edge : edges) edge.is_boundary = edge.valence == 1;
   return edges;
 }
 
 VertexCounts count_vertices(const mesh::HexMesh& mesh, const Neighbours& neighbours) {
-  expect_indices(mesh);
-  core::expects(neighbours.size() == mesh.hexahedra.size(), "view: neighbours are of this mesh");
-  enum : std::uint8_t { unused, interior, boundary };
-  std::vector<std::uint8_t> kind(mesh.points.size(), unused);
-  for (std::size_t cell = 0; cell < mesh.hexahedra.size(); ++cell) {
-    unsigned on_boundary = 0;
-    for (std::size_t f = 0; f < kCornerSets.size(); ++f)
-      if (neighbours[cell][f] == kNobody) on_boundary |= kCornerSets[f];
-    for (std::size_t v = 0; v < cells::kCubeVertices; ++v) {
-      std::uint8_t& known = kind[mesh.hexahedra[cell][v]];
-      known = std::max<std::uint8_t>(known, (on_boundary >> v & 1U) != 0 ? boundary : interior);
-    }
-  }
-  const auto interiors = std::count(kind.begin(), kind.end(), interior);
-  const auto idle = std::count(kind.begin(), kind.end(), unused);
+  const std::vector<Place> place = places_of(mesh, neighbours);
+  const auto interiors = std::count(place.begin(), place.end(), Place::interior);
+  const auto idle = std::count(place.begin(), place.end(), Place::unused);
   return {mesh.points.size() - static_cast<std::size_t>(idle), static_cast<std::size_t>(interiors)};
+}
+
+InteriorValences interior_valences(const mesh::HexMesh& mesh, const Neighbours& neighbours) {
+  InteriorValences result;
+  for (const Edge& edge : edges_of(uses_of_edges(mesh, neighbours),
+                                   [](const Edge& one) { return !one.is_boundary; }))
+    ++result.edges[edge.valence];
+  std::vector<std::uint32_t> around(mesh.points.size(), 0);
+  for (const auto& cell : mesh.hexahedra)
+    for (const Index v : cell) ++around[v];
+  const std::vector<Place> place = places_of(mesh, neighbours);
+  for (std::size_t v = 0; v < place.size(); ++v)
+    if (place[v] == Place::interior) ++result.vertices[around[v]];
+  return result;
 }
 
 }  // namespace hexatlas::view

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// What a picture of a hexahedral mesh needs to know of its combinatorics: which hexahedra are
-/// behind which facets, how deep each one lies, and which edges are singular.
+/// What a picture or a report of a hexahedral mesh needs to know of its combinatorics: which
+/// hexahedra are behind which facets, how deep each one lies, which edges are singular, and how
+/// many hexahedra are around interior edges and vertices.
 ///
 /// Definitions. Two facets are the same if their four vertices are. A facet is *free* if it is in
 /// one hexahedron only; an edge or a vertex is *on the boundary* if a free facet has it, otherwise
@@ -20,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "enum/cells/cube.hpp"
@@ -58,5 +60,15 @@ struct VertexCounts {
   std::size_t interior = 0;  ///< used, and not on the boundary
 };
 [[nodiscard]] VertexCounts count_vertices(const mesh::HexMesh& mesh, const Neighbours& neighbours);
+
+/// For each number of hexahedra, how many interior edges, and how many interior vertices, are in so
+/// many; numbers that do not occur are left out.
+struct InteriorValences {
+  std::map<std::uint32_t, std::size_t> edges;
+  std::map<std::uint32_t, std::size_t> vertices;
+};
+/// Requires the neighbours of this mesh.
+[[nodiscard]] InteriorValences interior_valences(const mesh::HexMesh& mesh,
+                                                 const Neighbours& neighbours);
 
 }  // namespace hexatlas::view

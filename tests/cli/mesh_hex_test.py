@@ -150,6 +150,13 @@ class Inputs(MeshTest):
                 self.assertEqual(self.read("in.vtk"), text)
                 self.assertEqual(self.listing(), before)
 
+    def test_an_output_that_cannot_be_written_is_told_before_all_work(self):
+        self.write("odd.obj", surfaces.obj(*surfaces.cube_with_cut_quad(1)))
+        for name in ("missing.obj", "odd.obj"):
+            for output in ("none/out.vtk", "out.stl", "."):
+                self.expect_fault(self.hexatlas("mesh", "hex", name, "-o", output), output)
+        self.assertEqual(self.listing(), ["odd.obj"])
+
     def test_help_says_where_words_go(self):
         self.assertIn("standard error", self.hexatlas("mesh", "hex", "--help").out)
 

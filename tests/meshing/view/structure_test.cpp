@@ -1,7 +1,8 @@
-// Claim. neighbours_of(), layers_of(), singular_edges() and count_vertices() are what their header
-// defines. Oracle. Grids, where all of it is known by counting; a cube divided into four around an
-// interior vertex, counted by hand; and, on random sets of cells of a grid with random numbers, a
-// brute force that compares all pairs of facets and walks from all cells at once.
+// Claim. neighbours_of(), layers_of(), singular_edges(), count_vertices() and interior_valences()
+// are what their header defines. Oracle. Grids, where all of it is known by counting; a cube
+// divided into four around an interior vertex, counted by hand; and, on random sets of cells of a
+// grid with random numbers, a brute force that compares all pairs of facets and walks from all
+// cells at once.
 #include "meshing/view/structure.hpp"
 
 #include <gtest/gtest.h>
@@ -93,7 +94,8 @@ std::vector<std::uint32_t> slow_layers(const mesh::HexMesh& mesh) {
   return layer;
 }
 
-std::vector<view::Edge> slow_singular_edges(const mesh::HexMesh& mesh) {
+/// All edges.
+std::vector<view::Edge> slow_edges(const mesh::HexMesh& mesh) {
   std::map<Key, int> facets;
   std::map<std::pair<mesh::Index, mesh::Index>, std::uint32_t> edges;
   for (const Cell& cell : mesh.hexahedra) {
@@ -104,16 +106,46 @@ std::vector<view::Edge> slow_singular_edges(const mesh::HexMesh& mesh) {
           ++edges[std::minmax(cell[v], cell[w])];
   }
   // The vertices of an edge are also the ends of no diagonal of a free facet in these meshes.
-  std::vector<view::Edge> singular;
+  std::vector<view::Edge> result;
   for (const auto& [ends, valence] : edges) {
     const bool is_boundary =
         std::any_of(facets.begin(), facets.end(), [&ends = ends](const auto& f) {
           return f.second == 1 && f.first.contains(ends.first) && f.first.contains(ends.second);
         });
-    if (valence != (is_boundary ? 2U : 4U))
-      singular.push_back({ends.first, ends.second, valence, is_boundary});
+    result.push_back({ends.first, ends.second, valence, is_boundary});
   }
-  return singular;
+  return result;
+}
+
+std::vector<view::Edge> slow_singular_edges(const mesh::HexMesh& mesh) {
+  std::vector<view::Edge> edges = slow_edges(mesh);
+  std::erase_if(
+      edges, [](const view::Edge& edge) { return edge.valence == (edge.is_boundary ? 2U : 4U); });
+  return edges;
+}
+
+using Counts = std::map<std::uint32_t, std::size_t>;
+
+Counts slow_edge_valences(const mesh::HexMesh& mesh) {
+  Counts counts;
+  for (const view::Edge& edge : slow_edges(mesh))
+    if (!edge.is_boundary) ++counts[edge.valence];
+  return counts;
+}
+
+/// A vertex is interior if no edge on the boundary has it; so it is in grids.
+Counts slow_vertex_valences(const mesh::HexMesh& mesh) {
+  std::set<mesh::Index> on_boundary;
+  for (const view::Edge& edge : slow_edges(mesh))
+    if (edge.is_boundary) on_boundary.insert({edge.a, edge.b});
+  Counts counts;
+  for (mesh::Index v = 0; v < mesh.points.size(); ++v) {
+    const auto around = std::count_if(
+        mesh.hexahedra.begin(), mesh.hexahedra.end(),
+        [v](const Cell& cell) { return std::find(cell.begin(), cell.end(), v) != cell.end(); });
+    if (around > 0 && !on_boundary.contains(v)) ++counts[static_cast<std::uint32_t>(around)];
+  }
+  return counts;
 }
 
 TEST(ViewStructure, OfOneCube) {
@@ -153,6 +185,9 @@ TEST(ViewStructure, EdgesOfGridsAreSingularOnTheTwelveEdgesOfTheBox) {
     const view::VertexCounts counts = view::count_vertices(mesh, neighbours);
     EXPECT_EQ(counts.used, std::size_t{n + 1} * (n + 1) * (n + 1));
     EXPECT_EQ(counts.interior, std::size_t{n - 1} * (n - 1) * (n - 1));
+    const view::InteriorValences valences = view::interior_valences(mesh, neighbours);
+    EXPECT_EQ(valences.edges, (Counts{{4, std::size_t{3} * n * (n - 1) * (n - 1)}}));
+    EXPECT_EQ(valences.vertices, (Counts{{8, counts.interior}}));
   }
 }
 
@@ -181,6 +216,9 @@ TEST(ViewStructure, OfATetrahedronInFour) {
   const std::map<std::pair<std::uint32_t, bool>, int> expected{{{3, false}, 4}, {{1, true}, 12}};
   EXPECT_EQ(count, expected);
   EXPECT_EQ(view::count_vertices(mesh, neighbours).interior, 1U);
+  const view::InteriorValences valences = view::interior_valences(mesh, neighbours);
+  EXPECT_EQ(valences.edges, (Counts{{3, 4}}));
+  EXPECT_EQ(valences.vertices, (Counts{{4, 1}}));
   EXPECT_EQ(view::layers_of(neighbours), std::vector<std::uint32_t>(4, 0));
 }
 
@@ -204,6 +242,9 @@ TEST(ViewStructure, AgreesWithBruteForce) {
     EXPECT_EQ(neighbours, slow_neighbours(mesh));
     EXPECT_EQ(view::layers_of(neighbours), slow_layers(mesh));
     EXPECT_EQ(view::singular_edges(mesh, neighbours), slow_singular_edges(mesh));
+    const view::InteriorValences valences = view::interior_valences(mesh, neighbours);
+    EXPECT_EQ(valences.edges, slow_edge_valences(mesh));
+    EXPECT_EQ(valences.vertices, slow_vertex_valences(mesh));
   }
 }
 
@@ -229,6 +270,8 @@ TEST(ViewStructure, WithoutBoundaryAllIsLayerZero) {
   const view::Neighbours neighbours = view::neighbours_of(mesh);
   EXPECT_EQ(view::layers_of(neighbours), std::vector<std::uint32_t>(27, 0));
   EXPECT_TRUE(view::singular_edges(mesh, neighbours).empty());
+  EXPECT_EQ(view::interior_valences(mesh, neighbours).edges, (Counts{{4, 81}}));
+  EXPECT_EQ(view::interior_valences(mesh, neighbours).vertices, (Counts{{8, 27}}));
   EXPECT_EQ(view::count_vertices(mesh, neighbours).interior, 27U);
 }
 
@@ -257,6 +300,8 @@ TEST(ViewStructure, RefusesAnIndexOutOfRange) {
   EXPECT_THROW((void)view::neighbours_of(cube), core::PreconditionViolated);
   EXPECT_THROW((void)view::singular_edges(cube, view::Neighbours(1)), core::PreconditionViolated);
   EXPECT_THROW((void)view::singular_edges(whole_grid(2), view::Neighbours(1)),
+               core::PreconditionViolated);
+  EXPECT_THROW((void)view::interior_valences(whole_grid(2), view::Neighbours(1)),
                core::PreconditionViolated);
 }
 

@@ -1,3 +1,13 @@
+# tests_of_two_sizes(NAME MACRO fast-size long-size SOURCES ... USES ... DEFINITIONS ...): NAME_fast_test and
+# NAME_long_test, in which MACRO is the size.
+function(tests_of_two_sizes name macro fast long)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES;DEFINITIONS" ${ARGN})
+  foreach(label fast long)
+    hexatlas_test(${name}_${label}_test ${label} SOURCES ${ARG_SOURCES} USES ${ARG_USES})
+    target_compile_definitions(${name}_${label}_test PRIVATE ${macro}=${${label}} ${ARG_DEFINITIONS})
+  endforeach()
+endfunction()
+
 hexatlas_test(tables_check_file_bytes_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/file_bytes_test.cpp
   USES tables_check)
@@ -32,16 +42,9 @@ hexatlas_test(tables_check_read_mesh_test fast
 hexatlas_test(tables_check_quad_code_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/quad_code_test.cpp
   USES tables_check)
-foreach(case fast:10 long:12)
-  string(REPLACE ":" ";" case ${case})
-  list(GET case 0 label)
-  list(GET case 1 max_quads)
-  set(name tables_check_rooted_count_${label}_test)
-  hexatlas_test(${name} ${label}
-    SOURCES ${CMAKE_CURRENT_LIST_DIR}/rooted_count_test.cpp
-    USES tables_check enum_canon)
-  target_compile_definitions(${name} PRIVATE HEXATLAS_MAX_QUADS=${max_quads})
-endforeach()
+tests_of_two_sizes(tables_check_rooted_count HEXATLAS_MAX_QUADS 10 12
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/rooted_count_test.cpp
+  USES tables_check enum_canon)
 hexatlas_test(tables_check_table_check_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/table_check_test.cpp
   USES tables_check)
@@ -50,17 +53,10 @@ target_compile_definitions(tables_check_table_check_test PRIVATE
 hexatlas_test(sabotage_mesh_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/mesh_sabotage_test.cpp
   USES tables_check)
-foreach(case fast:700 long:4000)
-  string(REPLACE ":" ";" case ${case})
-  list(GET case 0 label)
-  list(GET case 1 rounds)
-  set(name sabotage_table_records_${label}_test)
-  hexatlas_test(${name} ${label}
-    SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/table_records_sabotage_test.cpp
-    USES tables_check)
-  target_compile_definitions(${name} PRIVATE HEXATLAS_ROUNDS=${rounds}
-    HEXATLAS_SHIPPED_TABLE="${PROJECT_SOURCE_DIR}/tables/data/hexatlas.hxt")
-endforeach()
+tests_of_two_sizes(sabotage_table_records HEXATLAS_ROUNDS 700 4000
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/table_records_sabotage_test.cpp
+  USES tables_check
+  DEFINITIONS HEXATLAS_SHIPPED_TABLE="${PROJECT_SOURCE_DIR}/tables/data/hexatlas.hxt")
 hexatlas_test(sabotage_table_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/table_sabotage_test.cpp
   USES tables_check)
@@ -70,16 +66,9 @@ hexatlas_test(tables_check_bound_rules_test fast
   USES tables_check tables_format)
 target_compile_definitions(tables_check_bound_rules_test PRIVATE
   HEXATLAS_SHIPPED_TABLE="${PROJECT_SOURCE_DIR}/tables/data/hexatlas.hxt")
-foreach(case fast:1200 long:6000)
-  string(REPLACE ":" ";" case ${case})
-  list(GET case 0 label)
-  list(GET case 1 rounds)
-  set(name sabotage_bound_${label}_test)
-  hexatlas_test(${name} ${label}
-    SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/bound_sabotage_test.cpp
-    USES tables_check)
-  target_compile_definitions(${name} PRIVATE HEXATLAS_ROUNDS=${rounds})
-endforeach()
+tests_of_two_sizes(sabotage_bound HEXATLAS_ROUNDS 1200 6000
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/bound_sabotage_test.cpp
+  USES tables_check)
 
 hexatlas_test(sabotage_bound_certificates_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/bound_certificates_test.cpp

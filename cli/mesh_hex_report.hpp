@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// The report of `mesh hex`.
+
+#include <string>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/mesh_report.hpp"
+#include "meshing/hexahedrize/hexahedrize.hpp"
+#include "meshing/mesh/mesh.hpp"
+#include "tables/check/verdict.hpp"
+
+namespace hexatlas::cli {
+
+/// A surface, what was said of it, the mesh made of it, and what the judge says of that.
+struct MeshHexAccount {
+  const mesh::SurfaceMesh& surface;
+  const std::vector<std::string>& notes;
+  const hexahedrize::Hexahedrized& made;
+  const check::Verdict& verdict;
+};
+
+/// Requires a verdict that is accepted or undecided.
+[[nodiscard]] MeshReport report_of(const MeshHexOptions& options, const MeshHexAccount& account,
+                                   const quality::Report& quality, double seconds);
+
+}  // namespace hexatlas::cli
