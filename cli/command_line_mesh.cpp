@@ -98,6 +98,10 @@ void add_mesh(CLI::App& app, Action& action) {
                   "Layers of hexahedra below the whole boundary, before flips")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
+  hex->add_option("--tries", options->tries,
+                  "Orders in which flips are tried, the fewest hexahedra count [50 for small "
+                  "surfaces, 1 from 20000 quads on]")
+      ->check(CLI::Range(1, 1'000'000));
   hex->add_option("--table", options->table, "Table of meshes [the one beside the program]");
   hex->add_option("--sectors", options->sectors,
                   "Sectors of the construction [those beside the program]");

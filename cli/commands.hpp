@@ -30,7 +30,8 @@ struct MeshHexOptions {
   std::string input, output, table, sectors;
   std::string report;           ///< file for a page; empty: none
   std::string method = "auto";  ///< or "table", "zones", "flips", "construction"
-  std::size_t layers = 0;
+  std::size_t layers = 0;       ///< before flips
+  std::size_t tries = 0;        ///< of flips; 0: by the number of quads
   bool json = false;
   bool require_valid = false;
   /// Of placing the interior vertices; by default it depends on the size of the mesh.

@@ -185,13 +185,15 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
   const std::string name = options.input == "-" ? "standard input" : options.input;
   const mesh::SurfaceMesh surface = io::read_surface(options.input);
   const Sources sources = sources_of(options);
-  const auto answer = hexahedrize::hexahedrize(
-      surface,
-      {.table = sources.table ? &*sources.table : nullptr,
-       .sectors = sources.sectors,
-       .only = sources.only,
-       .peeling = {.layers = options.layers, .threads = parallel::threads_or_all(options.threads)}},
-      name, {options.effort, parallel::threads_or_all(options.threads)});
+  const auto answer =
+      hexahedrize::hexahedrize(surface,
+                               {.table = sources.table ? &*sources.table : nullptr,
+                                .sectors = sources.sectors,
+                                .only = sources.only,
+                                .peeling = {.tries = options.tries,
+                                            .layers = options.layers,
+                                            .threads = parallel::threads_or_all(options.threads)}},
+                               name, {options.effort, parallel::threads_or_all(options.threads)});
   const std::vector<std::string> notes = in_words(answer.notes);
   for (const std::string& note : notes) say("note: " + note);
   if (const auto* impossible = std::get_if<hexahedrize::Impossible>(&answer.outcome)) {

@@ -1,7 +1,7 @@
 #include "enum/flips/reducing.hpp"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <deque>
 #include <utility>
 #include <vector>
@@ -16,10 +16,10 @@ namespace {
 using Patch = Peeling::Patch;
 using Prism = Peeling::Prism;
 
-constexpr unsigned kAllSides = 16;
-
-/// The quads that a flip adds, less those that it takes away.
-constexpr int growth(unsigned sides) { return 4 - 2 * std::popcount(sides); }
+/// Sets of sides by how many quads their flips add: two sides keep the number of quads; three and
+/// four make it less, and the last one of them most.
+constexpr std::array<std::uint8_t, 6> kKeeping{3, 5, 6, 9, 10, 12};
+constexpr std::array<std::uint8_t, 5> kReducing{7, 11, 13, 14, 15};
 
 class Reducer {
  public:
@@ -59,7 +59,7 @@ class Reducer {
     if (!peeling_.is_live(quad) || waits_for_[quad] != length) return;
     waits_for_[quad] = 0;
     best_.clear();
-    best_growth_ = 0;
+    best_is_most_ = false;
     looks_ = 0;
     first_new_ = peeling_.quad_numbers();
     look_at(quad, length);
@@ -103,29 +103,42 @@ class Reducer {
       if (neighbour(bottom, i) >= first_new_) fresh |= 1U << i;
       if (peeling_.degree(peeling_.origin(4 * bottom + i)) == 3) joined |= 1U << i;
     }
-    const bool all = now_.empty() || bottom >= first_new_;
-    for (unsigned sides = 0; sides < kAllSides && looks_ <= options_.looks; ++sides) {
-      const bool is_wanted = left == 1 ? growth(sides) < best_growth_ : growth(sides) == 0;
-      if (!is_wanted || !(all || (sides & fresh) != 0) || !is_patch(sides, joined)) continue;
-      Prism prism;
-      const Patch patch{bottom, static_cast<std::uint8_t>(sides)};
-      ++looks_;
-      if (!peeling_.may_take(patch, prism)) continue;
-      now_.push_back(patch);
-      if (left == 1) {
-        best_ = now_;
-        best_growth_ = growth(sides);
-      } else {
-        peeling_.take(patch, prism);
-        look_around(left - 1);
-        peeling_.put_back();
-      }
-      now_.pop_back();
+    if (now_.empty() || bottom >= first_new_) fresh = 15;
+    if (left == 1) {
+      for (const std::uint8_t sides : kReducing)
+        if ((sides & fresh) != 0 && is_patch(sides, joined)) end_with({bottom, sides});
+      return;
     }
+    for (const std::uint8_t sides : kKeeping)
+      if ((sides & fresh) != 0 && is_patch(sides, joined)) go_on_with({bottom, sides}, left - 1);
+  }
+
+  void end_with(Patch patch) {
+    const bool is_most = patch.sides == kReducing.back();
+    if (looks_ > options_.looks || !(best_.empty() || (is_most && !best_is_most_))) return;
+    Prism prism;
+    ++looks_;
+    if (!peeling_.may_take(patch, prism)) return;
+    best_ = now_;
+    best_.push_back(patch);
+    best_is_most_ = is_most;
+  }
+
+  void go_on_with(Patch patch, std::size_t left) {
+    if (looks_ > options_.looks) return;
+    Prism prism;
+    ++looks_;
+    if (!peeling_.may_take(patch, prism)) return;
+    now_.push_back(patch);
+    peeling_.take(patch, prism);
+    look_around(left);
+    peeling_.put_back();
+    now_.pop_back();
   }
 
   void look_around(std::size_t left) {
     std::vector<std::uint32_t> bottoms;
+    bottoms.reserve(32);
     for (std::uint32_t q = first_new_; q < peeling_.quad_numbers(); ++q) {
       if (!peeling_.is_live(q)) continue;
       bottoms.push_back(q);
@@ -142,7 +155,7 @@ class Reducer {
   std::vector<std::deque<std::uint32_t>> open_;  ///< by length
   std::vector<std::uint8_t> waits_for_;          ///< length, of each quad; 0: for none
   std::vector<Patch> now_, best_;
-  int best_growth_ = 0;
+  bool best_is_most_ = false;
   std::size_t looks_ = 0;
   std::uint32_t first_new_ = 0;  ///< quads from here on are made by the sequence
 };

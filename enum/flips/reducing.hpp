@@ -30,7 +30,11 @@ void reduce(Peeling& peeling, const ReducingOptions& options);
 
 /// Removes zones one after another, those first that cost the fewest hexahedra for each of their
 /// quads, as long as that is at most `price`. Gives how many. Deterministic. Cost: linear in the
-/// hexahedra, plus the number of quads for each time that zones are sought anew.
+/// hexahedra, plus that of all zones' discs for each time that zones are sought anew.
 std::size_t remove_zones(Peeling& peeling, double price);
+
+/// The quads at which a zone crosses itself. The removal of other zones keeps them, so it leaves at
+/// least as many quads. Cost: linear.
+[[nodiscard]] std::size_t self_crossings(const Peeling& peeling);
 
 }  // namespace hexatlas::flips

@@ -18,6 +18,36 @@ constexpr Dart prev(Dart d) { return (d & ~3U) | ((d + 3) & 3U); }
 /// The darts at which a curve comes into the quads of its zone, in order.
 using Zone = std::vector<Dart>;
 
+Zone zone_from(const Peeling& peeling, Dart start) {
+  Zone zone;
+  Dart at = start;
+  do {
+    zone.push_back(at);
+    at = peeling.twin(opposite(at));
+  } while (at != start);
+  return zone;
+}
+
+/// Calls visit(zone) for each zone once.
+template <class Visit>
+void for_each_zone(const Peeling& peeling, Visit&& visit) {
+  std::vector<std::array<bool, 2>> seen(peeling.quad_numbers(), {false, false});
+  for (const std::uint32_t q : live_quads(peeling))
+    for (Dart d = 4 * q; d < 4 * q + 2; ++d) {
+      if (seen[q][d % 2]) continue;
+      const Zone zone = zone_from(peeling, d);
+      for (const Dart at : zone) seen[at / 4][at % 2] = true;
+      visit(zone);
+    }
+}
+
+/// How many quads a zone crosses twice.
+std::size_t crossings_of(const Zone& zone, Marks& marks) {
+  marks.clear();
+  return static_cast<std::size_t>(
+      std::count_if(zone.begin(), zone.end(), [&](Dart d) { return !marks.add(d / 4); }));
+}
+
 class ZoneRemover {
  public:
   ZoneRemover(Peeling& peeling, double price) : peeling_(peeling), price_(price) {}
@@ -40,64 +70,50 @@ class ZoneRemover {
 
   [[nodiscard]] std::vector<Candidate> candidates() {
     std::vector<Candidate> result;
-    const std::uint32_t quads = peeling_.quad_numbers();
-    std::vector<std::array<bool, 2>> seen(quads, {false, false});
-    for (std::uint32_t q = 0; q < quads; ++q)
-      for (Dart d = 4 * q; peeling_.is_live(q) && d < 4 * q + 2; ++d) {
-        if (seen[q][d % 2]) continue;
-        const std::optional<Zone> zone = zone_from(d, seen);
-        if (!zone) continue;
-        const std::size_t area = std::max(disc(*zone, true).size(), disc(*zone, false).size());
-        const double cost = static_cast<double>(area) / static_cast<double>(zone->size());
-        if (area > 0 && cost <= price_) result.push_back({cost, d});
-      }
+    for_each_zone(peeling_, [&](const Zone& zone) {
+      const std::vector<std::uint32_t> quads = affordable_side(zone);
+      if (!quads.empty()) result.push_back({cost_of(quads, zone), zone.front()});
+    });
     std::stable_sort(result.begin(), result.end(),
                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
     return result;
   }
 
-  /// The zone that is entered at d; nullopt if it crosses itself. Marks what it went through.
-  std::optional<Zone> zone_from(Dart d, std::vector<std::array<bool, 2>>& seen) {
-    Zone zone;
-    bool is_simple = true;
-    quad_marks_.clear();
-    for (Dart at = d; zone.empty() || at != d; at = peeling_.twin(opposite(at))) {
-      seen[at / 4][at % 2] = true;
-      is_simple = quad_marks_.add(at / 4) && is_simple;
-      zone.push_back(at);
-    }
-    if (!is_simple) return std::nullopt;
-    return zone;
+  [[nodiscard]] static double cost_of(const std::vector<std::uint32_t>& quads, const Zone& zone) {
+    return static_cast<double>(quads.size()) / static_cast<double>(zone.size());
   }
 
-  /// The quads on one side of a simple zone, or none if they are more than half of the rest. So of
-  /// the two sides one is empty, or both have as many.
-  [[nodiscard]] std::vector<std::uint32_t> disc(const Zone& zone, bool left) {
-    quad_marks_.clear();
-    for (const Dart d : zone) quad_marks_.add(d / 4);
-    std::vector<std::uint32_t> quads;
-    const auto reach = [&](Dart rim) {
-      if (quad_marks_.add(rim / 4)) quads.push_back(rim / 4);
+  /// The quads on that side of a zone which has fewer; left of it if both have as many. Empty if
+  /// they are too many for the price, or the zone crosses itself. Both sides grow in turn until one
+  /// is complete.
+  [[nodiscard]] std::vector<std::uint32_t> affordable_side(const Zone& zone) {
+    if (crossings_of(zone, quad_marks_) > 0) return {};
+    struct Side {
+      std::vector<std::uint32_t> quads;
+      std::size_t seen = 0;
     };
-    for (const Dart d : zone) reach(peeling_.twin(left ? prev(d) : next(d)));
-    const std::size_t most = (peeling_.quads() - zone.size()) / 2;
-    for (std::size_t i = 0; i < quads.size() && quads.size() <= most; ++i)
-      for (Dart d = 4 * quads[i]; d < 4 * quads[i] + 4; ++d) reach(peeling_.twin(d));
-    if (quads.size() > most) quads.clear();
-    return quads;
+    std::array<Side, 2> sides;
+    const auto reach = [&](Side& side, Dart rim) {
+      if (quad_marks_.add(rim / 4)) side.quads.push_back(rim / 4);
+    };
+    for (const Dart d : zone) {
+      reach(sides[0], peeling_.twin(prev(d)));
+      reach(sides[1], peeling_.twin(next(d)));
+    }
+    const double most = price_ * static_cast<double>(zone.size());
+    for (std::size_t turn = 0;; ++turn) {
+      Side& side = sides[turn % 2];
+      if (static_cast<double>(side.quads.size()) > most) return {};
+      if (side.seen == side.quads.size()) return std::move(side.quads);
+      const std::uint32_t quad = side.quads[side.seen++];
+      for (Dart d = 4 * quad; d < 4 * quad + 4; ++d) reach(side, peeling_.twin(d));
+    }
   }
 
   bool remove(Dart start) {
     if (!peeling_.is_live(start / 4)) return false;
-    std::vector<std::array<bool, 2>> unused(peeling_.quad_numbers());
-    const std::optional<Zone> zone = zone_from(start, unused);
-    if (!zone) return false;
-    for (const bool left : {true, false}) {
-      const std::vector<std::uint32_t> quads = disc(*zone, left);
-      const double cost = static_cast<double>(quads.size()) / static_cast<double>(zone->size());
-      if (!quads.empty() && cost <= price_ && take_layer(peeling_, quads)) return true;
-    }
-    return false;
+    const std::vector<std::uint32_t> quads = affordable_side(zone_from(peeling_, start));
+    return !quads.empty() && take_layer(peeling_, quads);
   }
 
   Peeling& peeling_;
@@ -106,6 +122,13 @@ class ZoneRemover {
 };
 
 }  // namespace
+
+std::size_t self_crossings(const Peeling& peeling) {
+  Marks marks;
+  std::size_t result = 0;
+  for_each_zone(peeling, [&](const Zone& zone) { result += crossings_of(zone, marks); });
+  return result;
+}
 
 std::size_t remove_zones(Peeling& peeling, double price) {
   return ZoneRemover(peeling, price).run();

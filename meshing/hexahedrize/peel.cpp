@@ -12,6 +12,7 @@
 #include "enum/core/checks.hpp"
 #include "enum/flips/peeling.hpp"
 #include "enum/flips/pillow.hpp"
+#include "enum/parallel/parallel_for.hpp"
 #include "meshing/hexahedrize/linear.hpp"
 #include "meshing/hexahedrize/small_form.hpp"
 #include "tables/fill/query.hpp"
@@ -39,7 +40,6 @@ constexpr bool is_small(std::size_t quads) {
 struct Stage {
   Peeling peeling;
   std::size_t layers = 0;
-  std::size_t seed = 0;
 
   void take_layer() {
     core::expects(flips::take_layer(peeling, flips::live_quads(peeling)),
@@ -62,7 +62,7 @@ void reduce_all(Peeling& peeling, const flips::ReducingOptions& options) {
 Stage peeled(const QuadSphere& sphere, flips::ReducingOptions options, std::size_t layers,
              std::size_t seed) {
   options.seed = seed;
-  Stage best{Peeling(sphere.quads, sphere.vertices()), 0, seed};
+  Stage best{Peeling(sphere.quads, sphere.vertices()), 0};
   for (std::size_t layer = 0; layer < layers; ++layer) best.take_layer();
   reduce_all(best.peeling, options);
   while (!is_small(best.peeling.quads())) {
@@ -166,11 +166,31 @@ std::size_t tries_for(std::size_t quads, const PeelOptions& options) {
   return std::clamp<std::size_t>(20'000 / quads, 1, 50);
 }
 
+/// Those of all tries that let expect the fewest hexahedra, few enough to complete each.
+std::vector<Stage> best_stages(const QuadSphere& sphere, const PeelOptions& options) {
+  constexpr std::size_t kCompleted = 3;
+  const std::size_t tries = tries_for(sphere.quads.size(), options);
+  const auto at_once = static_cast<std::size_t>(options.threads);
+  std::vector<Stage> best;
+  for (std::size_t first = 0; first < tries; first += at_once) {
+    std::vector<std::optional<Stage>> made(std::min(at_once, tries - first));
+    parallel::parallel_for(options.threads, made.size(), [&](std::size_t i) {
+      made[i] = peeled(sphere, options.reducing, options.layers, first + i);
+    });
+    for (std::optional<Stage>& stage : made) best.push_back(*std::move(stage));
+    std::stable_sort(best.begin(), best.end(),
+                     [](const Stage& a, const Stage& b) { return a.expected() < b.expected(); });
+    if (best.size() > kCompleted) best.erase(best.begin() + kCompleted, best.end());
+  }
+  return best;
+}
+
 }  // namespace
 
 std::optional<PeeledMesh> mesh_by_zones(const QuadSphere& sphere, const format::Table& table,
                                         const PeelOptions& options) {
-  Stage stage{Peeling(sphere.quads, sphere.vertices()), 0, 0};
+  Stage stage{Peeling(sphere.quads, sphere.vertices()), 0};
+  if (!is_small(flips::self_crossings(stage.peeling))) return std::nullopt;
   flips::remove_zones(stage.peeling, std::numeric_limits<double>::infinity());
   const QuadSphere cavity = cavity_of(stage.peeling);
   const auto rest = from_table(stage.peeling, cavity, table, options.threads);
@@ -182,17 +202,9 @@ std::optional<PeeledMesh> mesh_by_zones(const QuadSphere& sphere, const format::
 
 PeeledMesh mesh_by_peeling(const QuadSphere& sphere, const format::Table* table,
                            std::span<const format::Sector> sectors, const PeelOptions& options) {
-  // Few stages are completed: those that let expect the fewest hexahedra.
-  constexpr std::size_t kCompleted = 3;
-  std::vector<Stage> stages;
-  for (std::size_t seed = 0; seed < tries_for(sphere.quads.size(), options); ++seed) {
-    stages.push_back(peeled(sphere, options.reducing, options.layers, seed));
-    std::stable_sort(stages.begin(), stages.end(),
-                     [](const Stage& a, const Stage& b) { return a.expected() < b.expected(); });
-    if (stages.size() > kCompleted) stages.pop_back();
-  }
+  std::vector<Stage> stages = best_stages(sphere, options);
   if (options.layers == 0 && is_small(sphere.quads.size()))
-    stages.push_back({Peeling(sphere.quads, sphere.vertices()), 0, 0});
+    stages.push_back({Peeling(sphere.quads, sphere.vertices()), 0});
   std::optional<PeeledMesh> best;
   for (Stage& stage : stages) {
     PeeledMesh mesh = completed(std::move(stage), table, sectors, options.threads);

@@ -27,11 +27,11 @@ namespace hexatlas::hexahedrize {
 
 struct PeelOptions {
   flips::ReducingOptions reducing{};
+  /// How many orders in which the quads are tried; the mesh with the fewest hexahedra counts.
+  /// 0: from 50 for small surfaces to 1 for 20,000 quads and more.
+  std::size_t tries = 0;
   /// Layers below the whole boundary before anything else: hexahedra of good shape there.
   std::size_t layers = 0;
-  /// How many orders in which the quads are tried; the mesh with the fewest hexahedra counts. 0:
-  /// as many as take no more than about a second for the first 10,000 quads.
-  std::size_t tries = 0;
   int threads = 1;  ///< does not change the result
 };
 
