@@ -16,8 +16,9 @@ namespace {
 using Patch = Peeling::Patch;
 using Prism = Peeling::Prism;
 
-/// Sets of sides by how many quads their flips add: two sides keep the number of quads; three and
-/// four make it less, and the last one of them most.
+/// Sets of sides by how many quads their flips add: one side adds two; two sides keep the number;
+/// three take two away, and four take four.
+constexpr std::array<std::uint8_t, 4> kGrowing{1, 2, 4, 8};
 constexpr std::array<std::uint8_t, 6> kKeeping{3, 5, 6, 9, 10, 12};
 constexpr std::array<std::uint8_t, 5> kReducing{7, 11, 13, 14, 15};
 
@@ -109,12 +110,19 @@ class Reducer {
         if ((sides & fresh) != 0 && is_patch(sides, joined)) end_with({bottom, sides});
       return;
     }
+    if (options_.may_grow && !has_grown_) {
+      has_grown_ = true;
+      for (const std::uint8_t sides : kGrowing)
+        if ((sides & fresh) != 0) go_on_with({bottom, sides}, left - 1);
+      has_grown_ = false;
+    }
     for (const std::uint8_t sides : kKeeping)
       if ((sides & fresh) != 0 && is_patch(sides, joined)) go_on_with({bottom, sides}, left - 1);
   }
 
   void end_with(Patch patch) {
     const bool is_most = patch.sides == kReducing.back();
+    if (has_grown_ && !is_most) return;
     if (looks_ > options_.looks || !(best_.empty() || (is_most && !best_is_most_))) return;
     Prism prism;
     ++looks_;
@@ -156,6 +164,7 @@ class Reducer {
   std::vector<std::uint8_t> waits_for_;          ///< length, of each quad; 0: for none
   std::vector<Patch> now_, best_;
   bool best_is_most_ = false;
+  bool has_grown_ = false;
   std::size_t looks_ = 0;
   std::uint32_t first_new_ = 0;  ///< quads from here on are made by the sequence
 };

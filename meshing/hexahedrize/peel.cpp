@@ -52,25 +52,30 @@ struct Stage {
   }
 };
 
-void reduce_all(Peeling& peeling, const flips::ReducingOptions& options) {
-  do {
-    flips::reduce(peeling, options);
-  } while (flips::remove_zones(peeling, kZonePrice) > 0);
+/// Sequences that grow in between are many, so they come last, when few quads are left.
+void reduce_all(Peeling& peeling, flips::ReducingOptions options) {
+  for (const bool may_grow : {false, true}) {
+    options.may_grow = may_grow;
+    do {
+      flips::reduce(peeling, options);
+    } while (flips::remove_zones(peeling, kZonePrice) > 0);
+  }
 }
 
-/// Rounds of reductions with layers between them, as long as that lets expect fewer hexahedra.
+/// Rounds of reductions with layers between them, until the cavity is small or no longer gets
+/// smaller. Of all rounds the one that lets expect the fewest hexahedra.
 Stage peeled(const QuadSphere& sphere, flips::ReducingOptions options, std::size_t layers,
              std::size_t seed) {
   options.seed = seed;
   Stage best{Peeling(sphere.quads, sphere.vertices()), 0};
   for (std::size_t layer = 0; layer < layers; ++layer) best.take_layer();
   reduce_all(best.peeling, options);
-  while (!is_small(best.peeling.quads())) {
-    Stage next = best;
-    next.take_layer();
-    reduce_all(next.peeling, options);
-    if (next.expected() >= best.expected()) break;
-    best = std::move(next);
+  for (Stage now = best; !is_small(now.peeling.quads());) {
+    const std::size_t before = now.peeling.quads();
+    now.take_layer();
+    reduce_all(now.peeling, options);
+    if (now.expected() < best.expected()) best = now;
+    if (now.peeling.quads() >= before) break;
   }
   return best;
 }

@@ -8,8 +8,7 @@
 /// only face that contains it, until a vertex is left. A compact 3-manifold that collapses to a
 /// vertex is a ball (J. H. C. Whitehead, Simplicial spaces, nuclei and m-groups, 1939).
 ///
-/// The order in which the hexahedra are listed is tried first. Both searches are greedy, with a
-/// fixed list of deterministic orders. Not promised: that one of
+/// Both searches are greedy, with a fixed list of deterministic orders. Not promised: that one of
 /// them succeeds on every ball; there are balls without shelling and balls without collapse.
 /// Cost of one order: O(H * degree * log H).
 
@@ -25,6 +24,10 @@ namespace hexatlas::check {
 /// name each hexahedron once; the last one is left over.
 [[nodiscard]] bool is_removal_order(const Incidence& incidence,
                                     std::span<const std::uint32_t> order);
+
+/// How many hexahedra can be taken off as in a shelling read backwards, in the order in which they
+/// are listed; one is left over. If the others are a ball, so is the whole.
+[[nodiscard]] std::uint32_t listed_removals(const Incidence& incidence);
 
 /// "shelling", "collapse", or empty if neither was found. Requires: all laws before kBall.
 [[nodiscard]] std::string find_ball_proof(const Incidence& incidence);
