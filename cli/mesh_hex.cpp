@@ -15,6 +15,7 @@
 #include "meshing/hexahedrize/hexahedrize.hpp"
 #include "meshing/io/mesh_files.hpp"
 #include "meshing/quality/report.hpp"
+#include "meshing/quality/self_meeting.hpp"
 #include "tables/check/mesh_check.hpp"
 
 namespace hexatlas::cli {
@@ -39,7 +40,8 @@ double per_quad(const quality::Report& report, std::size_t quads) {
 }
 
 std::string json_line(std::size_t quads, const hexahedrize::Hexahedrized& made,
-                      const quality::Report& report, double elapsed) {
+                      const quality::Report& report,
+                      const std::optional<quality::SelfMeeting>& meeting, double elapsed) {
   nlohmann::ordered_json json;
   json["outcome"] = "meshed";
   json["quads"] = quads;
@@ -50,6 +52,7 @@ std::string json_line(std::size_t quads, const hexahedrize::Hexahedrized& made,
   json["hexahedra_per_quad"] = per_quad(report, quads);
   json["table_entry"] = nullptr;
   if (!made.code.empty()) json["table_entry"] = made.code;
+  add_self_meeting(json, meeting);
   json["seconds"] = elapsed;
   return to_line(json);
 }
@@ -96,11 +99,14 @@ void tell_without_mesh(const MeshHexOptions& options, const std::string& name,
   tell(options.output, to_line(json));
 }
 
-ExitCode deliver(const MeshHexOptions& options, std::size_t quads,
+ExitCode deliver(const MeshHexOptions& options, const mesh::SurfaceMesh& surface,
                  const hexahedrize::Hexahedrized& made, double start) {
-  write_mesh(options.output, made.mesh);
+  const auto meeting = quality::first_self_meeting(surface);
   const quality::Report report = quality::report(made.mesh);
-  tell(options.output, options.json ? json_line(quads, made, report, seconds() - start)
+  write_mesh(options.output, made.mesh);  // last, so that no file is left if memory runs out
+  say_self_meeting(surface, meeting);
+  const std::size_t quads = surface.quads.size();
+  tell(options.output, options.json ? json_line(quads, made, report, meeting, seconds() - start)
                                     : summary(quads, made, report, options.output));
   return answer_for(report, options.require_valid);
 }
@@ -161,7 +167,7 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
   }
   const auto& made = std::get<hexahedrize::Hexahedrized>(answer.outcome);
   expect_accepted(made, surface, sources.table);
-  return deliver(options, surface.quads.size(), made, start);
+  return deliver(options, surface, made, start);
 }
 
 }  // namespace hexatlas::cli

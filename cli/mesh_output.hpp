@@ -3,11 +3,13 @@
 /// What the verbs that write a hexahedral mesh share.
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "cli/commands.hpp"
 #include "meshing/mesh/mesh.hpp"
 #include "meshing/quality/report.hpp"
+#include "meshing/quality/self_meeting.hpp"
 #include "tables/check/mesh.hpp"
 
 namespace hexatlas::cli {
@@ -33,6 +35,13 @@ void tell(const std::string& output, const std::string& text);
 
 /// The same as members of a JSON object.
 void add_quality(nlohmann::ordered_json& json, const quality::Report& report);
+
+/// Why no mesh with this surface for its boundary is right in space: a note, if there is a reason.
+void say_self_meeting(const mesh::SurfaceMesh& surface,
+                      const std::optional<quality::SelfMeeting>& meeting);
+/// The same as a member: null or two quads, equal ones for a folded quad.
+void add_self_meeting(nlohmann::ordered_json& json,
+                      const std::optional<quality::SelfMeeting>& meeting);
 
 /// The answer once a mesh is written: `undecided`, and why, if validity was asked for and some
 /// hexahedra are not proven valid.
