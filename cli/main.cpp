@@ -9,6 +9,7 @@
 #include "cli/command_line.hpp"
 #include "cli/output.hpp"
 #include "enum/core/errors.hpp"
+#include "realize/exact/memory.hpp"
 
 namespace {
 
@@ -47,5 +48,6 @@ ExitCode run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   occupy_standard_streams();
+  hexatlas::exact::throw_when_out_of_memory();
   return static_cast<int>(run(argc, argv));
 }

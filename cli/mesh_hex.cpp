@@ -16,6 +16,7 @@
 #include "meshing/hexahedrize/hexahedrize.hpp"
 #include "meshing/io/mesh_files.hpp"
 #include "meshing/quality/report.hpp"
+#include "meshing/quality/self_meeting.hpp"
 #include "tables/check/mesh_check.hpp"
 
 namespace hexatlas::cli {
@@ -74,8 +75,10 @@ std::string account_of(const hexahedrize::Hexahedrized& made) {
   throw core::InternalError("a method without a name");
 }
 
-std::string json_line(std::size_t quads, const hexahedrize::Hexahedrized& made,
-                      const quality::Report& report, double elapsed) {
+std::string json_line(const MeshHexAccount& account, const quality::Report& report,
+                      double elapsed) {
+  const hexahedrize::Hexahedrized& made = account.made;
+  const std::size_t quads = account.surface.quads.size();
   nlohmann::ordered_json json;
   json["outcome"] = "meshed";
   json["quads"] = quads;
@@ -94,12 +97,15 @@ std::string json_line(std::size_t quads, const hexahedrize::Hexahedrized& made,
   }
   json["table_entry"] = nullptr;
   if (!made.code.empty()) json["table_entry"] = made.code;
+  add_self_meeting(json, account.meeting);
   json["seconds"] = elapsed;
   return to_line(json);
 }
 
-std::string summary(std::size_t quads, const hexahedrize::Hexahedrized& made,
-                    const quality::Report& report, const std::string& output) {
+std::string summary(const MeshHexAccount& account, const quality::Report& report,
+                    const std::string& output) {
+  const hexahedrize::Hexahedrized& made = account.made;
+  const std::size_t quads = account.surface.quads.size();
   return fmt::format(
       "{}: {}, {}, boundary of {} quads\n"
       "{}; {:.2f} hexahedra per quad\n"
@@ -143,15 +149,15 @@ void tell_without_mesh(const MeshHexOptions& options, const std::string& name,
 }
 
 ExitCode deliver(const MeshHexOptions& options, const MeshHexAccount& account, double start) {
-  const std::size_t quads = account.surface.quads.size();
-  write_mesh(options.output, account.made.mesh);
   const quality::Report report = quality::report(account.made.mesh);
   const double elapsed = seconds() - start;
+  std::string page;
   if (!options.report.empty())
-    core::write_file(options.report,
-                     report_page(report_of(options, account, report, elapsed), account.made.mesh));
-  tell(files_of(options), options.json ? json_line(quads, account.made, report, elapsed)
-                                       : summary(quads, account.made, report, options.output));
+    page = report_page(report_of(options, account, report, elapsed), account.made.mesh);
+  write_mesh(options.output, account.made.mesh);  // last, so that no file is left without memory
+  if (!options.report.empty()) core::write_file(options.report, page);
+  tell(files_of(options), options.json ? json_line(account, report, elapsed)
+                                       : summary(account, report, options.output));
   return answer_for(report, options.require_valid);
 }
 
@@ -194,7 +200,7 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
                                             .layers = options.layers,
                                             .threads = parallel::threads_or_all(options.threads)}},
                                name, {options.effort, parallel::threads_or_all(options.threads)});
-  const std::vector<std::string> notes = in_words(answer.notes);
+  std::vector<std::string> notes = in_words(answer.notes);
   for (const std::string& note : notes) say("note: " + note);
   if (const auto* impossible = std::get_if<hexahedrize::Impossible>(&answer.outcome)) {
     tell_without_mesh(options, name, "impossible", surface.quads.size(),
@@ -213,7 +219,12 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
   }
   const auto& made = std::get<hexahedrize::Hexahedrized>(answer.outcome);
   const check::Verdict verdict = expect_accepted(made, surface, sources.table);
-  return deliver(options, {surface, notes, made, verdict}, start);
+  const auto meeting = quality::first_self_meeting(surface);
+  if (meeting) {
+    notes.push_back(in_words(surface, *meeting));
+    say("note: " + notes.back());
+  }
+  return deliver(options, {surface, notes, made, verdict, meeting}, start);
 }
 
 }  // namespace hexatlas::cli

@@ -2,6 +2,7 @@
 /// \file
 /// The report of `mesh hex`.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "cli/mesh_report.hpp"
 #include "meshing/hexahedrize/hexahedrize.hpp"
 #include "meshing/mesh/mesh.hpp"
+#include "meshing/quality/self_meeting.hpp"
 #include "tables/check/verdict.hpp"
 
 namespace hexatlas::cli {
@@ -19,6 +21,7 @@ struct MeshHexAccount {
   const std::vector<std::string>& notes;
   const hexahedrize::Hexahedrized& made;
   const check::Verdict& verdict;
+  const std::optional<quality::SelfMeeting>& meeting;  ///< among the notes as well
 };
 
 /// Requires a verdict that is accepted or undecided.

@@ -105,6 +105,28 @@ void add_quality(nlohmann::ordered_json& json, const quality::Report& report) {
   json["histogram"] = report.histogram;
 }
 
+std::string in_words(const mesh::SurfaceMesh& surface, const quality::SelfMeeting& meeting) {
+  const auto named = [&](std::uint32_t quad) {
+    const std::uint32_t line = quad < surface.quad_line.size() ? surface.quad_line[quad] : 0;
+    return line == 0 ? fmt::to_string(quad) : fmt::format("{} (line {})", quad, line);
+  };
+  if (meeting.is_folded_quad())
+    return fmt::format(
+        "quad {}, counted from 0, is flat and not strictly convex, so no mesh with this boundary "
+        "has only valid hexahedra",
+        named(meeting.first));
+  return fmt::format(
+      "quads {} and {}, counted from 0, meet outside what they share, so in any mesh with this "
+      "boundary hexahedra overlap or touch where they must not",
+      named(meeting.first), named(meeting.second));
+}
+
+void add_self_meeting(nlohmann::ordered_json& json,
+                      const std::optional<quality::SelfMeeting>& meeting) {
+  json["surface_meets_itself"] = nullptr;
+  if (meeting) json["surface_meets_itself"] = {meeting->first, meeting->second};
+}
+
 ExitCode answer_for(const quality::Report& report, bool require_valid) {
   if (!require_valid || report.valid == report.hexahedra) return ExitCode::yes;
   say(fmt::format("{} not proven valid, of {}; the mesh was written all the same",

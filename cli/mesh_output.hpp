@@ -3,11 +3,13 @@
 /// What the verbs that write a hexahedral mesh share.
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "cli/commands.hpp"
 #include "meshing/mesh/mesh.hpp"
 #include "meshing/quality/report.hpp"
+#include "meshing/quality/self_meeting.hpp"
 #include "tables/check/mesh.hpp"
 
 namespace hexatlas::cli {
@@ -48,6 +50,13 @@ void tell(const MeshFiles& files, const std::string& text);
 
 /// The same as members of a JSON object.
 void add_quality(nlohmann::ordered_json& json, const quality::Report& report);
+
+/// Why no mesh with this surface for its boundary is right in space.
+[[nodiscard]] std::string in_words(const mesh::SurfaceMesh& surface,
+                                   const quality::SelfMeeting& meeting);
+/// The same as a member: null or two quads, equal ones for a folded quad.
+void add_self_meeting(nlohmann::ordered_json& json,
+                      const std::optional<quality::SelfMeeting>& meeting);
 
 /// The answer once a mesh is written: `undecided`, and why, if validity was asked for and some
 /// hexahedra are not proven valid.

@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <latch>
 #include <limits>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -42,19 +44,47 @@ class FirstException {
   std::exception_ptr exception_;
 };
 
+/// Starts up to `count` threads; where the system has no more, what it has must do.
+template <class Work>
+void start(std::vector<std::jthread>& pool, int count, const Work& work) {
+  pool.reserve(static_cast<std::size_t>(count));
+  try {
+    while (pool.size() < static_cast<std::size_t>(count)) pool.emplace_back(work);
+  } catch (const std::system_error&) {  // too many, or no memory for a stack
+    return;
+  }
+}
+
+#ifdef _OPENMP
+/// The run time of OpenMP ends the program where it cannot make a thread. So they are made once
+/// before, unless it has them from the last time; and one more, since it needs memory of its own.
+int threads_to_be_had(int wanted) {
+  thread_local int asked = 1;
+  thread_local int had = 1;
+  if (wanted == asked) return had;
+  std::vector<std::jthread> tried;
+  std::latch all_are_made{1};
+  start(tried, wanted, [&all_are_made] { all_are_made.wait(); });
+  all_are_made.count_down();
+  asked = wanted;
+  had = std::max(1, static_cast<int>(tried.size()));
+  return had;
+}
+#endif
+
 void run(int threads, std::size_t count, FirstException& first,
          const std::function<void(std::size_t)>& body) {
 #ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads_to_be_had(threads))
   for (std::size_t i = 0; i < count; ++i) first.guard(i, body);
 #else
   std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) first.guard(i, body);
+  };
   std::vector<std::jthread> pool;
-  pool.reserve(static_cast<std::size_t>(threads));
-  for (int t = 0; t < threads; ++t)
-    pool.emplace_back([&] {
-      for (std::size_t i = next++; i < count; i = next++) first.guard(i, body);
-    });
+  start(pool, threads - 1, work);
+  work();
 #endif
 }
 

@@ -14,7 +14,8 @@ namespace hexatlas::parallel {
 /// `threads`, or available_threads() if it is 0: what a caller means who leaves the number open.
 [[nodiscard]] int threads_or_all(int threads) noexcept;
 
-/// Calls body(i) once for each i in [0, count), on at most `threads` threads, in any order.
+/// Calls body(i) once for each i in [0, count), on at most `threads` threads, in any order; on
+/// fewer if the system cannot make so many, for want of memory or by a limit.
 /// Returns when all calls have returned. If calls throw, the exception of the smallest such
 /// i is thrown again and every other i is still called. With threads == 1 the calls are made
 /// in order on the calling thread. Requires threads >= 1.

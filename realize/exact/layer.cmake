@@ -1,5 +1,7 @@
 hexatlas_layer(realize/exact
   HEADERS sign.hpp orientation.hpp integer_orientation.hpp jacobian.hpp volume.hpp
-  SOURCES orientation.cpp integer_orientation.cpp jacobian.cpp volume.cpp determinant.hpp integers.hpp
+    patch.hpp patch_separation.hpp memory.hpp
+  SOURCES orientation.cpp integer_orientation.cpp jacobian.cpp volume.cpp patch.cpp patch_separation.cpp memory.cpp
+    determinant.hpp integers.hpp
   USES enum/core
   THIRD_PARTY PkgConfig::gmp)

@@ -20,16 +20,17 @@ Finding check_used(const Incidence& incidence, const std::vector<bool>& may_be_u
 }
 
 /// What shows that it is a ball, or empty. A mesh may be listed such that it can be taken off in
-/// this order down to a small rest, for which a proof is found sooner; the rest need not be a
-/// manifold.
+/// this order down to a small rest, for which a proof is found sooner. The rest may be no manifold;
+/// then less may have to be taken off.
 std::string ball_proof(const Incidence& incidence) {
+  constexpr std::uint32_t kPutBack = 64;
   const std::uint32_t listed = listed_removals(incidence);
-  if (listed > 0) {
-    const Incidence rest = incidence_of(incidence.cells.subspan(listed), incidence.vertex_count);
-    if (!check_connected(rest) && !check_links(rest) && !check_boundary_sphere(rest)) {
-      const std::string proof = find_ball_proof(rest);
-      if (!proof.empty()) return proof;
-    }
+  for (std::uint32_t back = 0; back < std::min(listed, kPutBack); ++back) {
+    const auto cells = incidence.cells.subspan(listed - back);
+    const Incidence rest = incidence_of(cells, incidence.vertex_count);
+    if (check_connected(rest) || check_links(rest) || check_boundary_sphere(rest)) continue;
+    const std::string proof = find_ball_proof(rest);
+    if (!proof.empty()) return proof;
   }
   return find_ball_proof(incidence);
 }

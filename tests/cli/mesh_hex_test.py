@@ -18,7 +18,7 @@ import program
 import surfaces
 
 KEYS = {"outcome", "quads", "hexahedra", "interior_vertices", "min_scaled_jacobian", "mean_scaled_jacobian",
-        "inverted", "valid", "histogram", "method", "hexahedra_per_quad", "table_entry", "seconds"}
+        "inverted", "valid", "histogram", "method", "hexahedra_per_quad", "table_entry", "surface_meets_itself", "seconds"}
 OUTPUTS = (".vtk", ".vtu", ".mesh", ".msh")
 
 
@@ -221,7 +221,7 @@ class Coordinates(MeshTest):
         ran = self.expect(4, self.mesh((twisted, quads), "--require-valid", "--json",
                                        output="twisted.vtk"))
         self.assertEqual(json.loads(ran.out)["valid"], 0)
-        self.assertRegex(ran.err, r"\Ahexatlas: 1 hexahedron is not proven valid, of 1;[^\n]*\n\Z")
+        self.assertRegex(ran.err, r"\Ahexatlas: note: quad 2 [^\n]+\nhexatlas: 1 hexahedron is not proven valid, of 1;[^\n]*\n\Z")
         self.expect(0, self.hexatlas("check", "twisted.vtk", "--boundary", "in.obj"))
         self.expect(0, self.mesh((twisted, quads)))
         self.assertEqual(self.read("out.vtk"), self.read("twisted.vtk"))

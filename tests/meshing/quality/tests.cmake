@@ -1,3 +1,3 @@
 hexatlas_test(meshing_quality_test fast
-  SOURCES quality/hexahedron_test.cpp quality/report_test.cpp
+  SOURCES quality/hexahedron_test.cpp quality/report_test.cpp quality/self_meeting_test.cpp
   USES meshing_quality)

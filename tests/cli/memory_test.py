@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+"""Claim. Where `mesh hex` runs out of memory, at whatever stage and with however many threads, it
+exits with 5 and one line, and leaves neither output nor temporary file; with a little more, it
+makes the mesh that it makes without limit.
+Oracle. The exit codes of docs/architecture/README.md; limits on the address space (RLIMIT_AS), from
+one that the start of the program needs to one that is enough.
+"""
+import resource
+
+import program
+import surfaces
+
+MIB = 1 << 20
+
+
+class OutOfMemory(program.ProgramTest):
+    def limited(self, mib, *arguments):
+        return self.hexatlas(*arguments, preexec_fn=lambda: resource.setrlimit(
+            resource.RLIMIT_AS, (mib * MIB, mib * MIB)))
+
+    def needed_to_start(self):
+        """A build under a sanitizer reserves terabytes of addresses: there this cannot be tested."""
+        for mib in range(32, 513, 4):
+            if self.limited(mib, "--version").code == 0:
+                return mib
+        return self.skipTest("the program does not start under a limit on its addresses")
+
+    def expect_end(self, mib, *options):
+        """Whether the memory was enough."""
+        ran = self.limited(mib, "mesh", "hex", "in.obj", "-o", "out.vtk", *options)
+        if ran.code == 0:
+            self.assertEqual(self.listing(), ["in.obj", "out.vtk"])
+            return True
+        with self.subTest(mib=mib, options=options):
+            self.expect(5, ran)
+            self.assertEqual(ran.out, "")
+            self.assertRegex(ran.err, r"\Ahexatlas: ([^\n]+: )?[^\n:]*(out of|allocate) memory\n\Z")
+            self.assertEqual(self.listing(), ["in.obj"])
+        return False
+
+    def test_large_surface(self):
+        """20,184 quads: reading, laws, construction, places, judge and writing fail in turn."""
+        start = self.needed_to_start()
+        self.write("in.obj", surfaces.obj(*surfaces.grid_cube(58)))
+        failed = 0
+        for more in (2, 6, 12, 24, 40, 60, 90, 130, 190, 320):
+            if self.expect_end(start + more, "--threads", "2"):
+                break
+            failed += 1
+        self.assertGreaterEqual(failed, 6)
+
+    def test_threads_and_exact_numbers(self):
+        """600 quads, and places for 10,000 hexahedra by many threads, each with a stack."""
+        start = self.needed_to_start()
+        self.write("in.obj", surfaces.obj(*surfaces.grid_cube(10)))
+        enough = [self.expect_end(start + more, "--threads", "12", "--effort", "1")
+                  for more in (1, 8, 12, 20, 50, 80, 100, 120, 140)]
+        self.assertFalse(enough[0])
+
+
+if __name__ == "__main__":
+    program.main()
