@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "enum/flips/pillow.hpp"
@@ -26,8 +27,8 @@ class ZoneRemover {
     std::size_t removed = 0;
     for (std::size_t before = removed + 1; before != removed;) {
       before = removed;
-      for (const auto& [cost, start] : candidates())
-        if (remove(start)) ++removed;
+      for (const Candidate& candidate : candidates())
+        if (remove(candidate.zone)) ++removed;
     }
     return removed;
   }
@@ -35,7 +36,7 @@ class ZoneRemover {
  private:
   struct Candidate {
     double cost = 0;  ///< hexahedra per quad of the zone
-    Dart start = 0;
+    Zone zone;        ///< when it was found
   };
 
   [[nodiscard]] std::vector<Candidate> candidates() {
@@ -45,11 +46,11 @@ class ZoneRemover {
     for (std::uint32_t q = 0; q < quads; ++q)
       for (Dart d = 4 * q; peeling_.is_live(q) && d < 4 * q + 2; ++d) {
         if (seen[q][d % 2]) continue;
-        const std::optional<Zone> zone = zone_from(d, seen);
+        std::optional<Zone> zone = zone_from(d, seen);
         if (!zone) continue;
         const std::size_t area = std::max(disc(*zone, true).size(), disc(*zone, false).size());
         const double cost = static_cast<double>(area) / static_cast<double>(zone->size());
-        if (area > 0 && cost <= price_) result.push_back({cost, d});
+        if (area > 0 && cost <= price_) result.push_back({cost, *std::move(zone)});
       }
     std::stable_sort(result.begin(), result.end(),
                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
@@ -87,10 +88,14 @@ class ZoneRemover {
     return quads;
   }
 
-  bool remove(Dart start) {
-    if (!peeling_.is_live(start / 4)) return false;
+  /// Layers taken off since took some of its quads away, but left the curve. A zone given up for
+  /// that would let one be removed that encloses it, at the price of more hexahedra.
+  bool remove(const Zone& former) {
+    const auto start = std::find_if(former.begin(), former.end(),
+                                    [this](Dart d) { return peeling_.is_live(d / 4); });
+    if (start == former.end()) return false;
     std::vector<std::array<bool, 2>> unused(peeling_.quad_numbers());
-    const std::optional<Zone> zone = zone_from(start, unused);
+    const std::optional<Zone> zone = zone_from(*start, unused);
     if (!zone) return false;
     for (const bool left : {true, false}) {
       const std::vector<std::uint32_t> quads = disc(*zone, left);
