@@ -56,8 +56,8 @@ class ZoneRemover {
     std::size_t removed = 0;
     for (std::size_t before = removed + 1; before != removed;) {
       before = removed;
-      for (const auto& [cost, start] : candidates())
-        if (remove(start)) ++removed;
+      for (const Candidate& candidate : candidates())
+        if (remove(candidate.zone)) ++removed;
     }
     return removed;
   }
@@ -65,14 +65,14 @@ class ZoneRemover {
  private:
   struct Candidate {
     double cost = 0;  ///< hexahedra per quad of the zone
-    Dart start = 0;
+    Zone zone;        ///< when it was found
   };
 
   [[nodiscard]] std::vector<Candidate> candidates() {
     std::vector<Candidate> result;
     for_each_zone(peeling_, [&](const Zone& zone) {
       const std::vector<std::uint32_t> quads = affordable_side(zone);
-      if (!quads.empty()) result.push_back({cost_of(quads, zone), zone.front()});
+      if (!quads.empty()) result.push_back({cost_of(quads, zone), zone});
     });
     std::stable_sort(result.begin(), result.end(),
                      [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
@@ -110,9 +110,13 @@ class ZoneRemover {
     }
   }
 
-  bool remove(Dart start) {
-    if (!peeling_.is_live(start / 4)) return false;
-    const std::vector<std::uint32_t> quads = affordable_side(zone_from(peeling_, start));
+  /// Layers taken off since took some of its quads away, but left the curve. A zone given up for
+  /// that would let one be removed that encloses it, at the price of more hexahedra.
+  bool remove(const Zone& former) {
+    const auto start = std::find_if(former.begin(), former.end(),
+                                    [this](Dart d) { return peeling_.is_live(d / 4); });
+    if (start == former.end()) return false;
+    const std::vector<std::uint32_t> quads = affordable_side(zone_from(peeling_, *start));
     return !quads.empty() && take_layer(peeling_, quads);
   }
 

@@ -56,7 +56,7 @@ def line(program, name, surface, way, options):
     return (name, said["quads"], way, said["method"], said["hexahedra"],
             f"{said['hexahedra_per_quad']:.3f}", f"{said['seconds']:.2f}",
             f"{said['valid'] / said['hexahedra']:.4f}", f"{said['min_scaled_jacobian']:.3f}",
-            judged, verdict.get("ball") or "-", peak)
+            judged, verdict.get("ball_proof") or "-", peak)
 
 
 def lines_of(job):

@@ -43,8 +43,7 @@ struct PeelAccount {
 };
 
 /// Vertices 0 .. sphere.vertices()-1 are those of the sphere. The hexahedra taken off come first,
-/// in this order; if the table filled the rest with a ball that it has, the others can be taken
-/// off in the order given as well, so that all of it is a shelling read backwards.
+/// in this order, so that a proof that the others are a ball is one for all.
 struct PeeledMesh {
   complex::HexComplex mesh;
   PeelAccount account;

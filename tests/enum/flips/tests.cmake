@@ -32,3 +32,6 @@ hexatlas_test(enum_flips_disc_test fast
 hexatlas_test(enum_flips_cut_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/cut_test.cpp
   USES enum_flips)
+hexatlas_test(enum_flips_peeling_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/peeling_test.cpp
+  USES enum_flips enum_quads)

@@ -14,7 +14,7 @@
 
 #include "enum/core/files.hpp"
 #include "enum/quads/generate.hpp"
-#include "tables/check/mesh_check.hpp"
+#include "tests/meshing/hexahedrize/judged.hpp"
 #include "tests/meshing/hexahedrize/spheres.hpp"
 
 namespace {
@@ -23,6 +23,7 @@ using namespace hexatlas;
 using complex::QuadSphere;
 using format::Sector;
 using hexahedrize::LinearMesh;
+using support::judged;
 
 const std::vector<Sector>& shipped() {
   static const auto kSectors = format::read_sectors(core::read_file(HEXATLAS_SECTORS), "sectors");
@@ -59,15 +60,6 @@ LinearMesh expect_meshed(const QuadSphere& sphere, const std::vector<Sector>& se
       [&](const auto& cell) { return std::find(cell.begin(), cell.end(), apex) != cell.end(); });
   EXPECT_GE(static_cast<std::size_t>(at_apex), quads / 2);
   return made;
-}
-
-check::Verdict judged(const complex::HexComplex& mesh, const QuadSphere& sphere) {
-  check::Mesh shown{std::vector<check::Point>(mesh.vertices), {}, {}};
-  for (const auto& h : mesh.hexahedra)  // bottom and top quads, cyclically
-    shown.hexahedra.push_back({h[0], h[1], h[3], h[2], h[4], h[5], h[7], h[6]});
-  const check::Surface surface{std::vector<check::Point>(sphere.vertices()),
-                               {sphere.quads.begin(), sphere.quads.end()}};
-  return check::check_mesh(shown, &surface);
 }
 
 void expect_accepted(const QuadSphere& sphere) {

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// 3-connected quadrangulations of any size, for the tests of the linear construction: random ones,
-/// and two kinds that are regular.
+/// 3-connected quadrangulations of any size, for the tests of meshers: random ones, and two
+/// kinds that are regular.
 ///
 /// Random ones grow from the cube by two steps that keep them 3-connected, that is, without double
 /// edges and without two quads that share two opposite vertices. A quad is replaced by a smaller
@@ -28,11 +28,15 @@ namespace hexatlas::support {
 using complex::BoundaryQuad;
 using complex::VertexId;
 
-inline complex::QuadSphere sphere_of(const std::vector<BoundaryQuad>& quads) {
-  auto found = complex::sphere_of(quads, quads.size() + 2);
+inline complex::QuadSphere sphere_of(const std::vector<BoundaryQuad>& quads, std::size_t points) {
+  auto found = complex::sphere_of(quads, points);
   if (const auto* law = std::get_if<complex::BrokenLaw>(&found))
     throw std::logic_error("the quads of a test are no sphere: " + law->reason);
   return std::get<complex::QuadSphere>(std::move(found));
+}
+
+inline complex::QuadSphere sphere_of(const std::vector<BoundaryQuad>& quads) {
+  return sphere_of(quads, quads.size() + 2);
 }
 
 inline complex::QuadSphere sphere_of(const complex::Quadrangulation& small) {
@@ -148,17 +152,17 @@ inline complex::QuadSphere random_sphere(std::size_t quads, std::uint64_t seed,
   throw std::logic_error("no random sphere of " + std::to_string(quads) + " quads");
 }
 
-/// The surface of n x n x n cubes: 6 n^2 quads.
-inline complex::QuadSphere grid_cube(VertexId n) {
+/// The surface of a block of so many cubes along each axis.
+inline complex::QuadSphere block(const std::array<VertexId, 3>& cubes) {
   std::map<std::array<VertexId, 3>, VertexId> number;
   const auto vertex = [&](const std::array<VertexId, 3>& place) {
     return number.try_emplace(place, static_cast<VertexId>(number.size())).first->second;
   };
   std::vector<BoundaryQuad> quads;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const VertexId side : {VertexId{0}, n})
-      for (VertexId i = 0; i < n; ++i)
-        for (VertexId j = 0; j < n; ++j) {
+    for (const VertexId side : {VertexId{0}, cubes[axis]})
+      for (VertexId i = 0; i < cubes[(axis + 1) % 3]; ++i)
+        for (VertexId j = 0; j < cubes[(axis + 2) % 3]; ++j) {
           BoundaryQuad quad{};
           for (std::size_t k = 0; k < 4; ++k) {
             std::array<VertexId, 3> place{};
@@ -172,6 +176,9 @@ inline complex::QuadSphere grid_cube(VertexId n) {
         }
   return sphere_of(quads);
 }
+
+/// The surface of n x n x n cubes: 6 n^2 quads.
+inline complex::QuadSphere grid_cube(VertexId n) { return block({n, n, n}); }
 
 /// The trapezohedron with two vertices of degree k: 2k quads.
 inline complex::QuadSphere trapezohedron(VertexId k) {
