@@ -16,7 +16,6 @@
 #include <set>
 #include <vector>
 
-#include "enum/cells/cube.hpp"
 #include "enum/complex/hex_complex.hpp"
 #include "enum/flips/pillow.hpp"
 #include "tests/enum/flips/peelings.hpp"
