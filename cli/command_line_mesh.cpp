@@ -95,7 +95,7 @@ void add_mesh(CLI::App& app, Action& action) {
       ->check(CLI::IsMember({"auto", "table", "zones", "flips", "construction"}))
       ->capture_default_str();
   hex->add_option("--layers", options->layers,
-                  "Layers of hexahedra below the whole boundary, before flips")
+                  "Layers of hexahedra below the whole boundary, and flips after them")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
   hex->add_option("--tries", options->tries,

@@ -173,6 +173,7 @@ Sources sources_of(const MeshHexOptions& options) {
   Sources result;
   for (const Method method : {Method::table, Method::zones, Method::flips, Method::construction})
     if (options.method == name_of(method)) result.only = method;
+  if (options.layers > 0) result.only = Method::flips;
   if (result.only != Method::construction)
     result.table = format::Table::open(table_path(options.table));
   if (result.only != Method::table && result.only != Method::zones) {
@@ -187,6 +188,10 @@ Sources sources_of(const MeshHexOptions& options) {
 ExitCode mesh_hex(const MeshHexOptions& options) {
   const double start = seconds();
   if (!are_distinct(files_of(options), "INPUT", "mesh hex")) return ExitCode::usage;
+  if (options.layers > 0 && options.method != "auto" && options.method != "flips") {
+    say("--layers goes with --method flips only. See `hexatlas mesh hex --help`.");
+    return ExitCode::usage;
+  }
   expect_outputs_writable(files_of(options));
   const std::string name = options.input == "-" ? "standard input" : options.input;
   const mesh::SurfaceMesh surface = io::read_surface(options.input);

@@ -91,6 +91,9 @@ class ZoneRemover {
     struct Side {
       std::vector<std::uint32_t> quads;
       std::size_t seen = 0;
+      [[nodiscard]] bool is_beyond(double most) const {
+        return static_cast<double>(quads.size()) > most;
+      }
     };
     std::array<Side, 2> sides;
     const auto reach = [&](Side& side, Dart rim) {
@@ -103,7 +106,10 @@ class ZoneRemover {
     const double most = price_ * static_cast<double>(zone.size());
     for (std::size_t turn = 0;; ++turn) {
       Side& side = sides[turn % 2];
-      if (static_cast<double>(side.quads.size()) > most) return {};
+      if (side.is_beyond(most)) {
+        if (sides[(turn + 1) % 2].is_beyond(most)) return {};
+        continue;
+      }
       if (side.seen == side.quads.size()) return std::move(side.quads);
       const std::uint32_t quad = side.quads[side.seen++];
       for (Dart d = 4 * quad; d < 4 * quad + 4; ++d) reach(side, peeling_.twin(d));

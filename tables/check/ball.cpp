@@ -340,14 +340,18 @@ std::uint32_t listed_removals(const Incidence& incidence) {
   return c;
 }
 
-std::string find_ball_proof(const Incidence& incidence) {
+bool find_shelling(const Incidence& incidence) {
   for (unsigned order = 0; order < kShellingOrders; ++order) {
-    if (ShellingSearch(incidence, order).succeeds()) return "shelling";
+    if (ShellingSearch(incidence, order).succeeds()) return true;
   }
+  return false;
+}
+
+bool find_collapse(const Incidence& incidence) {
   for (unsigned order = 0; order < kCollapseOrders; ++order) {
-    if (CollapseSearch(incidence, order).succeeds()) return "collapse";
+    if (CollapseSearch(incidence, order).succeeds()) return true;
   }
-  return {};
+  return false;
 }
 
 }  // namespace hexatlas::check

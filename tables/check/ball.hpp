@@ -14,7 +14,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 
 #include "tables/check/incidence.hpp"
 
@@ -29,7 +28,10 @@ namespace hexatlas::check {
 /// are listed; one is left over. If the others are a ball, so is the whole.
 [[nodiscard]] std::uint32_t listed_removals(const Incidence& incidence);
 
-/// "shelling", "collapse", or empty if neither was found. Requires: all laws before kBall.
-[[nodiscard]] std::string find_ball_proof(const Incidence& incidence);
+/// Whether a shelling was found. Requires: all laws before kBall.
+[[nodiscard]] bool find_shelling(const Incidence& incidence);
+
+/// Whether a collapse to a vertex was found. Requires: all laws before kBall.
+[[nodiscard]] bool find_collapse(const Incidence& incidence);
 
 }  // namespace hexatlas::check

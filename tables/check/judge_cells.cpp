@@ -19,20 +19,28 @@ Finding check_used(const Incidence& incidence, const std::vector<bool>& may_be_u
   return std::nullopt;
 }
 
-/// What shows that it is a ball, or empty. A mesh may be listed such that it can be taken off in
-/// this order down to a small rest, for which a proof is found sooner. The rest may be no manifold;
-/// then less may have to be taken off.
-std::string ball_proof(const Incidence& incidence) {
+enum class BallProof : std::uint8_t { none, collapse, shelling };
+
+/// A mesh may be listed such that it can be taken off in this order down to a small rest, for which
+/// a proof is found sooner. The rest may be no manifold; then less may have to be taken off.
+BallProof proof_by_rest(const Incidence& incidence) {
   constexpr std::uint32_t kPutBack = 64;
   const std::uint32_t listed = listed_removals(incidence);
   for (std::uint32_t back = 0; back < std::min(listed, kPutBack); ++back) {
     const auto cells = incidence.cells.subspan(listed - back);
     const Incidence rest = incidence_of(cells, incidence.vertex_count);
     if (check_connected(rest) || check_links(rest) || check_boundary_sphere(rest)) continue;
-    const std::string proof = find_ball_proof(rest);
-    if (!proof.empty()) return proof;
+    if (find_shelling(rest)) return BallProof::shelling;
+    if (find_collapse(rest)) return BallProof::collapse;
   }
-  return find_ball_proof(incidence);
+  return BallProof::none;
+}
+
+/// "shelling", "collapse", or empty if neither was found.
+std::string ball_proof(const Incidence& incidence) {
+  const BallProof by_rest = proof_by_rest(incidence);
+  if (by_rest == BallProof::shelling || find_shelling(incidence)) return "shelling";
+  return by_rest == BallProof::collapse || find_collapse(incidence) ? "collapse" : "";
 }
 
 Finding check_ball(const Incidence& incidence, std::span<const std::uint32_t> removal_order,

@@ -180,9 +180,40 @@ class OfSurfaces(Reports):
         self.assertEqual(sum(times), said["quads"] // 2)
         self.assertEqual(sum(map(int.__mul__, times, sizes)), said["hexahedra"])
 
+    def expect_peeled(self, page, said, method):
+        expected = {"method": method, "hexahedra taken off": str(said["peeled"]),
+                    "layers among them": str(said["layers"]), "quads of the rest": str(said["cavity_quads"]),
+                    "the rest filled by": {"table": "the table", "sectors": "sectors"}[said["cavity_filled_by"]]}
+        self.assertEqual({key: page.account.get(key) for key in expected}, expected)
+        self.assertNotIn("table entry", page.account)
+        self.assertEqual("proven bound for the rest" in page.account, said["cavity_filled_by"] == "sectors")
+        self.expect_quality(page, said)
+        self.expect_valences(page)
+
+    def test_by_zones(self):
+        self.write("grid.obj", surfaces.obj(*surfaces.grid_cube(3)))
+        page, said = self.report("hex", "grid.obj", "--effort", "0")
+        self.expect_peeled(page, said, "peeling by zones")
+
+    def test_by_flips(self):
+        self.write("random.obj", surfaces.obj(*surfaces.random_surface(60, 1)))
+        page, said = self.report("hex", "random.obj", "--effort", "0", "--method", "flips", "--layers", "1")
+        self.expect_peeled(page, said, "peeling by flips")
+        self.assertGreaterEqual(said["layers"], 1)
+
+    def test_by_flips_and_sectors(self):
+        self.write("trapezohedron.obj", surfaces.obj(*surfaces.trapezohedron(31)))
+        page, said = self.report("hex", "trapezohedron.obj", "--effort", "0", "--method", "flips", "--layers", "1")
+        self.expect_peeled(page, said, "peeling by flips")
+        self.assertEqual(said["cavity_filled_by"], "sectors")
+        used = {int(found.group(1)): int(times.split()[1]) for key, times in page.account.items()
+                if (found := re.fullmatch(r"sector of (\d+) hexahedra", key))}
+        self.assertEqual(sum(used.values()), said["cavity_quads"] // 2)
+        self.assertEqual(sum(size * times for size, times in used.items()), said["hexahedra"] - said["peeled"])
+
     def test_one_of_many(self):
         self.write("grid.obj", surfaces.obj(*surfaces.grid_cube(8)))
-        page, said = self.report("hex", "grid.obj", "--effort", "0")
+        page, said = self.report("hex", "grid.obj", "--effort", "0", "--method", "construction")
         self.expect_quality(page, said)
         self.expect_valences(page)
         self.assertEqual(page.tables("Interior vertices")[0][-1][1:], ["1", "< 0.1 %"])  # the apex

@@ -5,6 +5,7 @@ vertex that is a word (str) is written as it stands, in formats that count from 
 damage can be put at any place of any format.
 """
 import math
+import random
 
 CUBE_POINTS = [("0", "0", "0"), ("1", "0", "0"), ("1", "1", "0"), ("0", "1", "0"),
                ("0", "0", "1"), ("1", "0", "1"), ("1", "1", "1"), ("0", "1", "1")]
@@ -15,24 +16,74 @@ def cube():
     return list(CUBE_POINTS), [list(quad) for quad in CUBE_QUADS]
 
 
-def grid_cube(n):
-    """The surface of n x n x n unit cubes, from outside; 6 n^2 quads."""
+def block(*cubes):
+    """The surface of a block of so many unit cubes along each axis, from outside."""
     number, quads = {}, []
 
     def vertex(*place):
         return number.setdefault(place, len(number))
 
     for axis in range(3):
-        for side in (0, n):
-            for i in range(n):
-                for j in range(n):
+        along, across = (axis + 1) % 3, (axis + 2) % 3
+        for side in (0, cubes[axis]):
+            for i in range(cubes[along]):
+                for j in range(cubes[across]):
                     corners = []
                     for a, b in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
                         place = [0, 0, 0]
-                        place[axis], place[(axis + 1) % 3], place[(axis + 2) % 3] = side, a, b
+                        place[axis], place[along], place[across] = side, a, b
                         corners.append(vertex(*place))
                     quads.append(corners if side else corners[::-1])
     return [tuple(map(str, place)) for place in number], quads
+
+
+def grid_cube(n):
+    """The surface of n x n x n unit cubes, from outside; 6 n^2 quads."""
+    return block(n, n, n)
+
+
+def trapezohedron(k):
+    """Two vertices of degree k and a zigzag around the equator: 2k quads."""
+    def at(i, z):
+        return repr(math.cos(math.pi * i / k)), repr(math.sin(math.pi * i / k)), z
+
+    points = [at(i, "0.1" if i % 2 == 0 else "-0.1") for i in range(2 * k)]
+    points += [("0", "0", "1"), ("0", "0", "-1")]
+    quads = []
+    for i in range(0, 2 * k, 2):
+        quads.append([2 * k, i, i + 1, (i + 2) % (2 * k)])
+        quads.append([2 * k + 1, (i + 3) % (2 * k), (i + 2) % (2 * k), i + 1])
+    return points, quads
+
+
+def random_surface(count, seed):
+    """So many quads, from those of 2 x 2 x 2 cubes by splits of vertices, which keep it 3-connected: a vertex becomes
+    two, opposite in a new quad whose other two corners were its neighbours, not in one quad before."""
+    rng = random.Random(seed)
+    points, quads = grid_cube(2)
+    points = [tuple(float(x) - 1 for x in point) for point in points]
+    while len(quads) < count:
+        v = rng.randrange(len(points))
+        after = {quad[(quad.index(v) + 1) % 4]: quad for quad in quads if v in quad}
+        ring = [min(after)]
+        while len(ring) < len(after):
+            quad = after[ring[-1]]
+            ring.append(quad[(quad.index(v) + 3) % 4])
+        if len(ring) < 4:
+            continue
+        turn, moved = rng.randrange(len(ring)), rng.randint(2, len(ring) - 2)
+        ring = ring[turn:] + ring[:turn]
+        a, b = ring[0], ring[moved]
+        if any(a in quad and b in quad and v not in quad for quad in quads):
+            continue
+        sides = [after[u] for u in ring[:moved]]
+        middle = [sum(points[u][k] for quad in sides for u in quad) / (4 * moved) for k in range(3)]
+        w = len(points)
+        points.append(tuple(0.7 * x + 0.3 * y for x, y in zip(points[v], middle)))
+        for quad in sides:
+            quad[quad.index(v)] = w
+        quads.append([v, a, w, b])
+    return [tuple(map(repr, point)) for point in points], quads
 
 
 def two_cubes_sharing(shared):

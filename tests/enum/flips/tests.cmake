@@ -35,3 +35,6 @@ hexatlas_test(enum_flips_cut_test fast
 hexatlas_test(enum_flips_peeling_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/peeling_test.cpp
   USES enum_flips enum_quads)
+hexatlas_test(enum_flips_reducing_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/reducing_test.cpp
+  USES enum_flips)

@@ -83,7 +83,7 @@ TEST(Peel, PutsLayersFirst) {
   for (const std::size_t layers : {1U, 2U})
     for (const auto& sphere : {support::random_sphere(40, 7), support::grid_cube(1),
                                support::grid_cube(3), support::trapezohedron(9)}) {
-      const auto made = expect_peeled(sphere, &table(), {.layers = layers, .tries = 1});
+      const auto made = expect_peeled(sphere, &table(), {.tries = 1, .layers = layers});
       // One below each quad, and in it four vertices of the layer.
       std::multiset<std::set<VertexId>> quads, below;
       for (const auto& quad : sphere.quads) quads.insert({quad.begin(), quad.end()});
@@ -94,7 +94,7 @@ TEST(Peel, PutsLayersFirst) {
         below.insert(outer);
       }
       EXPECT_EQ(quads, below);
-      expect_peeled(sphere, nullptr, {.layers = layers, .tries = 1});
+      expect_peeled(sphere, nullptr, {.tries = 1, .layers = layers});
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -271,6 +272,37 @@ TEST(MeshCheck, NeverCallsAKnottedPileShellable) {
     EXPECT_NE(verdict.reason.find("not shown to be a ball"), std::string::npos);
   }
   RecordProperty("proof", verdict.ball_proof.empty() ? "none" : verdict.ball_proof);
+}
+
+// The order in which hexahedra are listed is a hint at most: the verdict is that of the mesh.
+TEST(MeshCheck, DoesNotDependOnTheOrderOfTheHexahedra) {
+  for (const Places& places : {box(4, 3, 2), box(5, 5, 1), without(box(3, 3, 3), {{1, 1, 2}})}) {
+    Example example = cubes(places);
+    const Verdict listed = check_mesh(example.mesh, &example.surface);
+    EXPECT_EQ(listed.ball_proof, "shelling");
+    auto& cells = example.mesh.hexahedra;
+    for (std::size_t turn = 0; turn < 8; ++turn) {
+      // Every third one first, then the others, from another place each time: no shelling.
+      std::rotate(cells.begin(), cells.begin() + 1, cells.end());
+      auto scattered = example.mesh;
+      std::stable_partition(scattered.hexahedra.begin(), scattered.hexahedra.end(),
+                            [&](const Hexahedron& cell) { return (cell[0] + turn) % 3 == 0; });
+      const Verdict verdict = check_mesh(scattered, &example.surface);
+      EXPECT_TRUE(verdict.accepted) << verdict.reason;
+      EXPECT_TRUE(verdict.is_ball);
+      EXPECT_FALSE(verdict.ball_proof.empty()) << "a shelling or a collapse";
+    }
+  }
+  for (const Places& places :
+       {without(box(3, 3, 3), {{1, 1, 1}}), without(box(3, 3, 1), {{1, 1, 0}})}) {
+    Example example = cubes(places);
+    const Verdict listed = check_mesh(example.mesh, nullptr);
+    EXPECT_FALSE(listed.accepted);
+    std::reverse(example.mesh.hexahedra.begin(), example.mesh.hexahedra.end());
+    const Verdict reversed = check_mesh(example.mesh, nullptr);
+    EXPECT_FALSE(reversed.accepted);
+    EXPECT_EQ(static_cast<int>(reversed.broken), static_cast<int>(listed.broken));
+  }
 }
 
 // With one more cube taken away the pit is a knotted tunnel: no ball.

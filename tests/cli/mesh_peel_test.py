@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""Claim. `mesh hex` gives the surface of a block its structured mesh, by zones; what zones leave too much of is refused
+by `--method zones` in a sentence, and meshed by flips; `--layers` puts layers below all of the surface. The judge
+accepts all of it, the account is true, and the bytes are the same for any number of threads and any formats read.
+Oracle. `hexatlas check`, which shares no code with the mesher; counts of a block by formula; hex_files.py.
+"""
+import collections
+import json
+import os
+import random
+
+import hex_files
+import program
+import surfaces
+from mesh_hex_test import MeshTest, disguised
+
+BLOCKS = ((3, 3, 3), (5, 4, 3), (7, 3, 1), (4, 4, 4))
+
+
+class Zones(MeshTest):
+    def expect_structured(self, said, cubes):
+        self.assertEqual(said["method"], "zones")
+        self.assertEqual(said["hexahedra"], cubes[0] * cubes[1] * cubes[2])
+        self.assertEqual(said["interior_vertices"], (cubes[0] - 1) * (cubes[1] - 1) * (cubes[2] - 1))
+        self.assertEqual((said["layers"], said["cavity_filled_by"]), (0, "table"))
+
+    def test_blocks(self):
+        for cubes in BLOCKS:
+            for method in ("auto", "zones"):
+                with self.subTest(cubes=cubes, method=method):
+                    said = self.mesh_and_judge(surfaces.block(*cubes), "out.vtk", "--effort", "0",
+                                              "--method", method)
+                    self.expect_structured(said, cubes)
+                    # Unit cubes, but for the rounding of the places found.
+                    self.assertAlmostEqual(said["min_scaled_jacobian"], 1, places=6)
+                    self.assertEqual((said["valid"], said["inverted"]), (said["hexahedra"], 0))
+
+    def test_disguised_blocks(self):
+        rng = random.Random(11)
+        for cubes in 3 * BLOCKS:
+            said = self.mesh_and_judge(disguised(surfaces.block(*cubes), rng), "out.mesh", "--effort", "0")
+            self.expect_structured(said, cubes)
+
+    def test_words_for_people(self):
+        ran = self.expect(0, self.mesh(surfaces.grid_cube(3), "--effort", "0"))
+        self.assertIn("\n26 hexahedra zone by zone, the rest of 6 quads filled by the table; "
+                      "0.50 hexahedra per quad\n", ran.out)
+
+    def test_where_zones_do_not_suffice(self):
+        for surface in (surfaces.trapezohedron(31), surfaces.random_surface(300, 5)):
+            quads = len(surface[1])
+            ran = self.expect(4, self.mesh(surface, "--method", "zones", "--effort", "0"))
+            self.assertEqual(ran.out, "")
+            self.assertRegex(ran.err, rf"\Ahexatlas: in\.obj: what zones leave of the boundary of {quads} quads is not in "
+                                      r"[^\n]+; `--method auto` meshes it all the same\n\Z")
+            said = json.loads(self.expect(4, self.mesh(surface, "--method", "zones", "--json")).out)
+            self.assertEqual((said["outcome"], said["quads"]), ("not_in_table", quads))
+            self.assertEqual(ran.err, f"hexatlas: in.obj: {said['reason']}\n")
+            self.assertEqual(self.listing(), ["in.obj"])
+            self.assertEqual(self.mesh_and_judge(surface, "out.vtk", "--effort", "0")["method"], "flips")
+            os.remove(self.path("out.vtk"))
+
+
+class Flips(MeshTest):
+    def flip(self, surface, output, *options):
+        said = self.mesh_and_judge(surface, output, "--effort", "0", *options)
+        self.assertEqual(said["method"], "flips")
+        return said
+
+    def test_random_surfaces(self):
+        for count in (60, 300):
+            for seed in range(2):
+                with self.subTest(quads=count, seed=seed):
+                    said = self.flip(surfaces.random_surface(count, seed), "out.vtk", "--method", "flips")
+                    self.assertLess(said["hexahedra"], 16 * count)
+
+    def test_is_what_auto_takes_where_zones_do_not_suffice(self):
+        surface = surfaces.random_surface(200, 3)
+        self.flip(surface, "auto.vtk")
+        self.flip(surface, "flips.vtk", "--method", "flips")
+        self.assertEqual(self.read("auto.vtk"), self.read("flips.vtk"))
+
+    def test_same_bytes_for_any_number_of_threads(self):
+        surface = surfaces.random_surface(80, 1)
+        for threads in ("1", "2", "5"):
+            self.flip(surface, threads + ".vtk", "--threads", threads)
+        self.assertEqual(self.read("1.vtk"), self.read("2.vtk"))
+        self.assertEqual(self.read("1.vtk"), self.read("5.vtk"))
+
+    def test_small_surfaces_if_asked(self):
+        for surface in (surfaces.cube(), surfaces.block(2, 1, 1), surfaces.trapezohedron(5), surfaces.grid_cube(2)):
+            self.flip(surface, "out.mesh", "--method", "flips")
+
+    def test_layers(self):
+        for surface in (surfaces.random_surface(60, 2), surfaces.grid_cube(2), surfaces.trapezohedron(20)):
+            for layers in (1, 2):
+                said = self.flip(surface, "out.vtk", "--method", "flips", "--layers", str(layers))
+                self.assertGreaterEqual(said["layers"], layers)
+                self.assertGreaterEqual(said["peeled"], layers * said["quads"])
+                self.expect_a_hexahedron_below_each_quad(surface)
+
+    def expect_a_hexahedron_below_each_quad(self, surface):
+        """And no other one at the boundary."""
+        given = len(surface[0])
+        _, hexahedra = hex_files.read_vtk(self.read("out.vtk").decode())
+        below = collections.Counter(frozenset(v for v in cell if v < given) for cell in hexahedra)
+        del below[frozenset()]
+        self.assertEqual(below, collections.Counter(map(frozenset, surface[1])))
+
+    def test_layers_are_a_number(self):
+        for layers in ("-1", "101", "some"):
+            self.assertIn("--layers", self.expect(2, self.mesh(surfaces.cube(), "--layers", layers)).err)
+
+    def test_words_for_people(self):
+        for surface, filled_by in ((surfaces.random_surface(90, 0), None), (surfaces.trapezohedron(31), "sectors")):
+            said = self.flip(surface, "out.vtk")
+            ran = self.expect(0, self.mesh(surface, "--effort", "0"))
+            words = (f"\n{said['peeled']} hexahedr{'on' if said['peeled'] == 1 else 'a'} taken off in {said['layers']} "
+                     f"layer{'' if said['layers'] == 1 else 's'} and by flips, the rest of {said['cavity_quads']} quads "
+                     f"filled by {'the table' if said['cavity_filled_by'] == 'table' else 'sectors'}; "
+                     f"{said['hexahedra_per_quad']:.2f} hexahedra per quad\n")
+            self.assertIn(words, ran.out)
+            if filled_by:
+                self.assertEqual(said["cavity_filled_by"], filled_by)
+
+
+if __name__ == "__main__":
+    program.main()
