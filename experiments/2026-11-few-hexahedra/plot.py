@@ -4,7 +4,7 @@ import csv
 import math
 import sys
 
-WIDTH, HEIGHT, LEFT, TOP, GAP = 320, 260, 60, 30, 90
+WIDTH, HEIGHT, LEFT, TOP, GAP = 320, 260, 60, 30, 110
 COLOURS = {"flips": "#0072b2", "construction": "#d55e00"}
 
 
@@ -24,7 +24,7 @@ def panel(x0, title, lines, low, high):
     for e in range(low, high + 1):
         out.append(f'<path d="M{x0} {y(10 ** e):.1f}h{WIDTH}" stroke="#ddd"/>'
                    f'<text x="{x0 - 6}" y="{y(10 ** e) + 4:.1f}" text-anchor="end">'
-                   f'{10 ** e:,g}</text>')
+                   f'{10 ** e:,}</text>')
     out.append(f'<text x="{x0 + WIDTH / 2}" y="{TOP + HEIGHT + 38}" text-anchor="middle">quads</text>')
     for number, (name, points) in enumerate(lines.items()):
         path = " ".join(f"{x(q):.1f},{y(v):.1f}" for q, v in points)
@@ -46,7 +46,7 @@ def main(path):
                 seconds.setdefault(row["way"], []).append((quads, float(row["seconds"])))
                 hexahedra.setdefault(row["way"], []).append((quads, int(row["hexahedra"])))
     second = LEFT + WIDTH + GAP
-    width, height = second + WIDTH + 20, TOP + HEIGHT + 50
+    width, height = second + WIDTH + 40, TOP + HEIGHT + 50
     print(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}"'
           f' font-family="sans-serif" font-size="13"><rect width="100%" height="100%" fill="#fff"/>')
     print("\n".join(panel(LEFT, "seconds on one core, the judge's included", seconds, -2, 2)
