@@ -52,10 +52,6 @@ const char* name_of(hexahedrize::Method method) {
   throw core::InternalError("a method without a name");
 }
 
-double per_quad(const quality::Report& report, std::size_t quads) {
-  return static_cast<double>(report.hexahedra) / static_cast<double>(quads);
-}
-
 std::string account_of(const hexahedrize::Hexahedrized& made) {
   switch (made.method) {
     case hexahedrize::Method::table:
@@ -86,7 +82,7 @@ std::string json_line(const MeshHexAccount& account, const quality::Report& repo
   json["interior_vertices"] = made.interior_vertices;
   add_quality(json, report);
   json["method"] = name_of(made.method);
-  json["hexahedra_per_quad"] = per_quad(report, quads);
+  json["hexahedra_per_quad"] = per_quad(report.hexahedra, quads);
   for (const char* key : {"peeled", "layers", "cavity_quads", "cavity_filled_by"})
     json[key] = nullptr;
   if (made.peeling) {
@@ -112,7 +108,7 @@ std::string summary(const MeshHexAccount& account, const quality::Report& report
       "{}",
       output, counted(report.hexahedra, "hexahedron", "hexahedra"),
       counted(made.interior_vertices, "interior vertex", "interior vertices"), quads,
-      account_of(made), per_quad(report, quads), quality_text(report));
+      account_of(made), per_quad(report.hexahedra, quads), quality_text(report));
 }
 
 /// Whatever the table or a theorem says, a mesh is written only if the judge accepts it. That it is

@@ -9,10 +9,6 @@
 namespace hexatlas::cli {
 namespace {
 
-double per_quad(std::size_t hexahedra, std::size_t quads) {
-  return static_cast<double>(hexahedra) / static_cast<double>(quads);
-}
-
 Account what_was_given(const MeshHexOptions& options, const MeshHexAccount& given) {
   Account account{"What was given", {}};
   account.add("surface", shown_name(options.input, "standard input"));
@@ -62,6 +58,10 @@ Account what_was_done(const MeshHexOptions& options, const hexahedrize::Hexahedr
 }
 
 }  // namespace
+
+double per_quad(std::size_t hexahedra, std::size_t quads) {
+  return static_cast<double>(hexahedra) / static_cast<double>(quads);
+}
 
 MeshReport report_of(const MeshHexOptions& options, const MeshHexAccount& account,
                      const quality::Report& quality, double seconds) {

@@ -2,6 +2,7 @@
 /// \file
 /// The report of `mesh hex`.
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ struct MeshHexAccount {
   const check::Verdict& verdict;
   const std::optional<quality::SelfMeeting>& meeting;  ///< among the notes as well
 };
+
+[[nodiscard]] double per_quad(std::size_t hexahedra, std::size_t quads);
 
 /// Requires a verdict that is accepted or undecided.
 [[nodiscard]] MeshReport report_of(const MeshHexOptions& options, const MeshHexAccount& account,

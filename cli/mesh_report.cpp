@@ -15,6 +15,7 @@
 #include "cli/output.hpp"
 #include "enum/core/checks.hpp"
 #include "meshing/view/structure.hpp"
+#include "tables/sheet/markup.hpp"
 
 namespace hexatlas::cli {
 namespace {
@@ -26,16 +27,8 @@ std::string escaped(const std::string& words) {
   // to_line() knows what is not UTF-8.
   const std::string text = nlohmann::json::parse(to_line(words)).get<std::string>();
   std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else if (c == '"')
-      result += "&quot;";
-    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
+  for (const char c : sheet::escaped(text)) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
       result += "\xEF\xBF\xBD";
     else
       result += c;

@@ -77,7 +77,7 @@ bool Peeling::may_take(Patch patch, Prism& prism) const noexcept {
   for (unsigned i = 0; i < 4; ++i) {
     if (!has(patch.sides, i)) continue;
     const Dart side = twin_[first + i];
-    prism.top[i] = origin_[prev(prev(side))];
+    prism.top[i] = origin_[opposite(side)];
     const bool has_before = has(patch.sides, i + 3);
     if (has_before && twin_[next(side)] != prev(across(patch, i + 3))) return false;
     if (!has(patch.sides, i + 1)) prism.top[(i + 1) % 4] = origin_[prev(side)];
@@ -106,7 +106,7 @@ VertexId Peeling::new_vertex() {
 std::uint32_t Peeling::new_quad(const std::array<VertexId, 4>& vertices) {
   const auto quad = static_cast<std::uint32_t>(live_.size());
   live_.push_back(1);
-  ++live_quads_;
+  ++live_count_;
   for (const VertexId v : vertices) {
     origin_.push_back(v);
     twin_.push_back(0);
@@ -125,7 +125,7 @@ void Peeling::insert_quads(Patch patch, const Prism& prism) {
     const Dart side = across(patch, i);
     const Dart roof = 4 * top + i;
     if (has(patch.sides, i)) {
-      link(roof, twin_[prev(prev(side))]);
+      link(roof, twin_[opposite(side)]);
       continue;
     }
     link(4 * wall[i], side);
@@ -161,7 +161,7 @@ void Peeling::take(Patch patch, const Prism& prism) {
   insert_quads(patch, complete);
   for_each_consumed(patch, [&](std::uint32_t quad) {
     live_[quad] = 0;
-    --live_quads_;
+    --live_count_;
     for (unsigned i = 0; i < 4; ++i) --degree_[origin_[4 * quad + i]];
   });
 }
@@ -176,7 +176,7 @@ void Peeling::put_back() {
   const auto consumed = 1U + static_cast<unsigned>(std::popcount(step.patch.sides));
   for (unsigned i = 0; i < 6 - consumed; ++i) {
     live_.pop_back();
-    --live_quads_;
+    --live_count_;
     for (unsigned k = 0; k < 4; ++k) {
       --degree_[origin_.back()];
       origin_.pop_back();
@@ -187,7 +187,7 @@ void Peeling::put_back() {
   // The darts of consumed quads still know their twins.
   for_each_consumed(step.patch, [&](std::uint32_t quad) {
     live_[quad] = 1;
-    ++live_quads_;
+    ++live_count_;
     for (Dart d = 4 * quad; d < 4 * quad + 4; ++d) {
       ++degree_[origin_[d]];
       twin_[twin_[d]] = d;
@@ -195,13 +195,21 @@ void Peeling::put_back() {
   });
 }
 
+std::vector<std::uint32_t> Peeling::live_quads() const {
+  std::vector<std::uint32_t> result;
+  result.reserve(live_count_);
+  for (std::uint32_t q = 0; q < quad_numbers(); ++q)
+    if (is_live(q)) result.push_back(q);
+  return result;
+}
+
 std::vector<complex::BoundaryQuad> Peeling::cavity() const {
   std::vector<complex::BoundaryQuad> result;
-  result.reserve(live_quads_);
-  for (std::uint32_t q = 0; q < quad_numbers(); ++q)
-    if (is_live(q))
-      result.push_back(
-          {origin_[4 * q], origin_[4 * q + 1], origin_[4 * q + 2], origin_[4 * q + 3]});
+  result.reserve(live_count_);
+  for (const std::uint32_t q : live_quads()) {
+    const Dart d = 4 * q;
+    result.push_back({origin_[d], origin_[d + 1], origin_[d + 2], origin_[d + 3]});
+  }
   return result;
 }
 

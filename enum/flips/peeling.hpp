@@ -29,6 +29,10 @@ class Peeling {
   using VertexId = complex::VertexId;
   using Dart = std::uint32_t;  ///< side i of quad q is dart 4 q + i; it leads from its origin
   static constexpr VertexId kNoVertex = ~VertexId{0};
+  /// Other sides of the same quad.
+  [[nodiscard]] static Dart next(Dart d) noexcept { return (d & ~3U) | ((d + 1) & 3U); }
+  [[nodiscard]] static Dart prev(Dart d) noexcept { return (d & ~3U) | ((d + 3) & 3U); }
+  [[nodiscard]] static Dart opposite(Dart d) noexcept { return d ^ 2U; }
 
   /// The quads taken away at once: a bottom, and those across some of its sides, one bit each.
   /// Bottom and sides name a patch as in flips::Flip.
@@ -48,7 +52,7 @@ class Peeling {
 
   /// Quads of the cavity's boundary are numbered in the order in which they came up. The numbers of
   /// those that are gone are not used again unless the flip is undone.
-  [[nodiscard]] std::size_t quads() const noexcept { return live_quads_; }
+  [[nodiscard]] std::size_t quads() const noexcept { return live_count_; }
   [[nodiscard]] std::uint32_t quad_numbers() const noexcept {
     return static_cast<std::uint32_t>(live_.size());
   }
@@ -65,6 +69,7 @@ class Peeling {
   void take(Patch patch, const Prism& prism);
   /// Puts the hexahedron that was taken off last back. Requires that there is one.
   void put_back();
+
   /// The hexahedra taken off so far, on vertices 0 .. vertices()-1; the first are the sphere's.
   /// Right-handed, in the numbering of enum/cells/cube.hpp.
   [[nodiscard]] const std::vector<complex::Hexahedron>& taken() const noexcept { return cells_; }
@@ -76,7 +81,9 @@ class Peeling {
     return related_.has(a, b);
   }
 
-  /// The cavity's quads in the order of their numbers, each from its dart 0 on.
+  /// The numbers of the cavity's quads, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> live_quads() const;
+  /// These quads, each from its dart 0 on.
   [[nodiscard]] std::vector<complex::BoundaryQuad> cavity() const;
 
  private:
@@ -85,8 +92,6 @@ class Peeling {
     std::uint32_t vertices = 0;  ///< before
     std::size_t pairs = 0;       ///< before
   };
-  [[nodiscard]] static Dart next(Dart d) noexcept { return (d & ~3U) | ((d + 1) & 3U); }
-  [[nodiscard]] static Dart prev(Dart d) noexcept { return (d & ~3U) | ((d + 3) & 3U); }
   [[nodiscard]] Dart across(Patch patch, unsigned side) const noexcept {
     return twin_[4 * patch.bottom + (side & 3U)];
   }
@@ -106,7 +111,7 @@ class Peeling {
   std::vector<Step> steps_;  ///< one for each cell
   complex::PairSet related_;
   std::vector<std::pair<VertexId, VertexId>> pairs_;  ///< added to related_ by cells
-  std::size_t live_quads_ = 0;
+  std::size_t live_count_ = 0;
 };
 
 }  // namespace hexatlas::flips

@@ -85,12 +85,4 @@ bool take_layer(Peeling& peeling, std::span<const std::uint32_t> quads) {
   return Layer(peeling, quads).take();
 }
 
-std::vector<std::uint32_t> live_quads(const Peeling& peeling) {
-  std::vector<std::uint32_t> result;
-  result.reserve(peeling.quads());
-  for (std::uint32_t q = 0; q < peeling.quad_numbers(); ++q)
-    if (peeling.is_live(q)) result.push_back(q);
-  return result;
-}
-
 }  // namespace hexatlas::flips

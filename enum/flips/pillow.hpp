@@ -38,7 +38,4 @@ class Marks {
 /// a disc. Cost: linear in the quads.
 bool take_layer(Peeling& peeling, std::span<const std::uint32_t> quads);
 
-/// All quads of the cavity's boundary, ascending.
-[[nodiscard]] std::vector<std::uint32_t> live_quads(const Peeling& peeling);
-
 }  // namespace hexatlas::flips

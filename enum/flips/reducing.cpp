@@ -8,7 +8,6 @@
 
 #include "enum/core/checks.hpp"
 #include "enum/core/random.hpp"
-#include "enum/flips/pillow.hpp"
 
 namespace hexatlas::flips {
 namespace {
@@ -30,7 +29,7 @@ class Reducer {
   }
 
   void run() {
-    std::vector<std::uint32_t> order = live_quads(peeling_);
+    std::vector<std::uint32_t> order = peeling_.live_quads();
     core::Random random(options_.seed);
     for (std::size_t i = order.size(); options_.seed != 0 && i > 1; --i)
       std::swap(order[i - 1], order[random.below(i)]);

@@ -11,10 +11,6 @@ namespace {
 
 using Dart = Peeling::Dart;
 
-constexpr Dart opposite(Dart d) { return (d & ~3U) | ((d + 2) & 3U); }
-constexpr Dart next(Dart d) { return (d & ~3U) | ((d + 1) & 3U); }
-constexpr Dart prev(Dart d) { return (d & ~3U) | ((d + 3) & 3U); }
-
 /// The darts at which a curve comes into the quads of its zone, in order.
 using Zone = std::vector<Dart>;
 
@@ -23,7 +19,7 @@ Zone zone_from(const Peeling& peeling, Dart start) {
   Dart at = start;
   do {
     zone.push_back(at);
-    at = peeling.twin(opposite(at));
+    at = peeling.twin(Peeling::opposite(at));
   } while (at != start);
   return zone;
 }
@@ -32,7 +28,7 @@ Zone zone_from(const Peeling& peeling, Dart start) {
 template <class Visit>
 void for_each_zone(const Peeling& peeling, Visit&& visit) {
   std::vector<std::array<bool, 2>> seen(peeling.quad_numbers(), {false, false});
-  for (const std::uint32_t q : live_quads(peeling))
+  for (const std::uint32_t q : peeling.live_quads())
     for (Dart d = 4 * q; d < 4 * q + 2; ++d) {
       if (seen[q][d % 2]) continue;
       const Zone zone = zone_from(peeling, d);
@@ -100,8 +96,8 @@ class ZoneRemover {
       if (quad_marks_.add(rim / 4)) side.quads.push_back(rim / 4);
     };
     for (const Dart d : zone) {
-      reach(sides[0], peeling_.twin(prev(d)));
-      reach(sides[1], peeling_.twin(next(d)));
+      reach(sides[0], peeling_.twin(Peeling::prev(d)));
+      reach(sides[1], peeling_.twin(Peeling::next(d)));
     }
     const double most = price_ * static_cast<double>(zone.size());
     for (std::size_t turn = 0;; ++turn) {

@@ -42,7 +42,7 @@ struct Stage {
   std::size_t layers = 0;
 
   void take_layer() {
-    core::expects(flips::take_layer(peeling, flips::live_quads(peeling)),
+    core::expects(flips::take_layer(peeling, peeling.live_quads()),
                   "a layer below all quads is allowed");
     ++layers;
   }
@@ -141,22 +141,25 @@ PeeledMesh joined(const Stage& stage, const QuadSphere& cavity, const complex::H
   return result;
 }
 
+/// The same with a rest that comes from the table; nullopt if none was found.
+std::optional<PeeledMesh> joined_by_table(const Stage& stage, const format::Table& table,
+                                          int threads) {
+  const QuadSphere cavity = cavity_of(stage.peeling);
+  const auto rest = from_table(stage.peeling, cavity, table, threads);
+  if (!rest) return std::nullopt;
+  PeeledMesh result = joined(stage, cavity, *rest);
+  result.account.by_table = true;
+  return result;
+}
+
 PeeledMesh completed(Stage stage, const format::Table* table,
                      std::span<const format::Sector> sectors, int threads) {
-  QuadSphere cavity = cavity_of(stage.peeling);
-  if (table != nullptr) {
-    auto rest = from_table(stage.peeling, cavity, *table, threads);
-    if (!rest && is_small(cavity.quads.size())) {
-      stage.take_layer();  // nothing is forbidden then
-      cavity = cavity_of(stage.peeling);
-      rest = from_table(stage.peeling, cavity, *table, threads);
-    }
-    if (rest) {
-      PeeledMesh result = joined(stage, cavity, *rest);
-      result.account.by_table = true;
-      return result;
-    }
+  if (table != nullptr && is_small(stage.peeling.quads())) {
+    if (auto result = joined_by_table(stage, *table, threads)) return *std::move(result);
+    stage.take_layer();  // nothing is forbidden then
+    if (auto result = joined_by_table(stage, *table, threads)) return *std::move(result);
   }
+  const QuadSphere cavity = cavity_of(stage.peeling);
   const auto apart = [&](VertexId a, VertexId b) {
     return stage.peeling.are_related(cavity.point_of[a], cavity.point_of[b]);
   };
@@ -197,12 +200,7 @@ std::optional<PeeledMesh> mesh_by_zones(const QuadSphere& sphere, const format::
   Stage stage{Peeling(sphere.quads, sphere.vertices()), 0};
   if (!is_small(flips::self_crossings(stage.peeling))) return std::nullopt;
   flips::remove_zones(stage.peeling, std::numeric_limits<double>::infinity());
-  const QuadSphere cavity = cavity_of(stage.peeling);
-  const auto rest = from_table(stage.peeling, cavity, table, options.threads);
-  if (!rest) return std::nullopt;
-  PeeledMesh result = joined(stage, cavity, *rest);
-  result.account.by_table = true;
-  return result;
+  return joined_by_table(stage, table, options.threads);
 }
 
 PeeledMesh mesh_by_peeling(const QuadSphere& sphere, const format::Table* table,

@@ -9,8 +9,8 @@
 /// one whose mesh is known: K. Verhetsel, J. Pellerin, J.-F. Remacle, ACM TOG 38(4) (2019), for up
 /// to 20 quads and by search.
 ///
-/// Not promised: a bound. About one hexahedron per quad for irregular surfaces; more for large
-/// grids, a cube of k x k x k needs k^3. The linear construction ends what cannot be peeled.
+/// Not promised: a bound. About one hexahedron per quad has been seen, fewer for large surfaces
+/// (experiments/2026-11-few-hexahedra). The linear construction ends what cannot be peeled.
 
 #include <cstddef>
 #include <optional>

@@ -50,6 +50,16 @@ template <class Number>
 }
 
 template <class Number>
+[[nodiscard]] Vector3<Number> cross(const Vector3<Number>& a, const Vector3<Number>& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+template <class Number>
+[[nodiscard]] Number dot(const Vector3<Number>& a, const Vector3<Number>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+template <class Number>
 [[nodiscard]] Number determinant(const Vector3<Number>& a, const Vector3<Number>& b,
                                  const Vector3<Number>& c) {
   return a.x * (b.y * c.z - b.z * c.y) + b.x * (c.y * a.z - c.z * a.y) +

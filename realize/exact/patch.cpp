@@ -11,12 +11,6 @@ namespace {
 using Vector = Vector3<Integer>;
 using Rational = mpq_class;
 
-Vector cross(const Vector& a, const Vector& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-Integer dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 /// An affine function on the segment: its value at the start, and that at the end minus it.
 struct Affine {
   Integer constant, slope;

@@ -13,12 +13,6 @@ namespace {
 
 using Vector = Vector3<double>;
 
-Vector cross(const Vector& a, const Vector& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 Vector between(const Point3& to, const Point3& from) {
   return {to.x - from.x, to.y - from.y, to.z - from.z};
 }
@@ -28,8 +22,6 @@ Vector direction(const Vector& v) {
   const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   return size > 0 ? Vector{v.x / size, v.y / size, v.z / size} : v;
 }
-
-Vector minus(const Vector& a, const Vector& b) { return difference(a, b); }
 
 Point3 moved(const Point3& p, const Vector& v, double times) {
   return {p.x + times * v.x, p.y + times * v.y, p.z + times * v.z};
@@ -69,10 +61,10 @@ class Separation {
   [[nodiscard]] bool is_found() const {
     switch (shared_.count) {
       case 0:
-        return along(minus(mean(0, quads_[0][0]), mean(1, quads_[0][0]))) || along(normal(0)) ||
-               along(normal(1));
+        return along(difference(mean(0, quads_[0][0]), mean(1, quads_[0][0]))) ||
+               along(normal(0)) || along(normal(1));
       case 1:
-        return along(apart()) || along(minus(mean(0, vertex()), mean(1, vertex())));
+        return along(apart()) || along(difference(mean(0, vertex()), mean(1, vertex())));
       case 2:
         return through_two();
       default:
@@ -107,7 +99,7 @@ class Separation {
       const double length = std::sqrt(dot(d, d));
       return Vector{d.x / length, d.y / length, d.z / length};
     };
-    return minus(unit(mean(0, vertex())), unit(mean(1, vertex())));
+    return difference(unit(mean(0, vertex())), unit(mean(1, vertex())));
   }
 
   /// A plane with this normal: through the shared vertex, or halfway between the quads.
@@ -153,7 +145,7 @@ class Separation {
       const double length = std::sqrt(dot(v, v));
       return Vector{v.x / length, v.y / length, v.z / length};
     };
-    const Vector in_plane = direction(cross(minus(across(0), across(1)), edge));
+    const Vector in_plane = direction(cross(difference(across(0), across(1)), edge));
     return decides(from, shared_.points[1], moved(from, in_plane, size_));
   }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tables/sheet/markup.hpp"
+
 namespace hexatlas::sheet {
 namespace {
 
@@ -18,21 +20,6 @@ constexpr double kLogFloor = 0.5;        // so that a bar for one quadrangulatio
 constexpr const char* kBar = "#0072B2";  // Okabe and Ito's blue
 constexpr const char* kLine = "#D9D9D9";
 constexpr const char* kInk = "#222222";
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else
-      result += c;
-  }
-  return result;
-}
 
 /// 49957 -> "49,957".
 std::string grouped(std::size_t number) {

@@ -81,7 +81,7 @@ TEST(Pillow, BelowAllQuadsLeavesTheSameCavityUnrelated) {
     const auto before = peeling.cavity();
     const std::size_t taken = peeling.taken().size();
     const std::uint32_t vertices = peeling.vertices();
-    ASSERT_TRUE(flips::take_layer(peeling, flips::live_quads(peeling)));
+    ASSERT_TRUE(flips::take_layer(peeling, peeling.live_quads()));
     ASSERT_EQ(peeling.taken().size(), taken + before.size());
     support::expect_consistent(peeling);
     // Each hexahedron has a quad above and one below, which says what each vertex became.
@@ -155,7 +155,7 @@ TEST(Pillow, RefusedChangesNothing) {
       const auto& choice = next[random.below(next.size())];
       peeling.take(choice.patch, choice.prism);
       // A ball of quads around one: those within some steps.
-      const auto live = flips::live_quads(peeling);
+      const auto live = peeling.live_quads();
       std::vector<std::uint32_t> disc{live[random.below(live.size())]};
       const std::size_t size = 1 + random.below(9);
       for (std::size_t i = 0; i < disc.size() && disc.size() < size; ++i)
