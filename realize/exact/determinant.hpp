@@ -44,6 +44,14 @@ struct Vector3 {
   Number x, y, z;
 };
 
+/// The types of products of two, three and five numbers.
+template <class Number>
+struct Degrees {
+  using Two = Number;
+  using Three = Number;
+  using Five = Number;
+};
+
 template <class Number>
 [[nodiscard]] Vector3<Number> difference(const Vector3<Number>& to, const Vector3<Number>& from) {
   return {to.x - from.x, to.y - from.y, to.z - from.z};
@@ -60,8 +68,9 @@ template <class Number>
 }
 
 template <class Number>
-[[nodiscard]] Number determinant(const Vector3<Number>& a, const Vector3<Number>& b,
-                                 const Vector3<Number>& c) {
+[[nodiscard]] typename Degrees<Number>::Three determinant(const Vector3<Number>& a,
+                                                          const Vector3<Number>& b,
+                                                          const Vector3<Number>& c) {
   return a.x * (b.y * c.z - b.z * c.y) + b.x * (c.y * a.z - c.z * a.y) +
          c.x * (a.y * b.z - a.z * b.y);
 }

@@ -11,29 +11,16 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
 #include "enum/core/checks.hpp"
+#include "realize/exact/binary.hpp"
 #include "realize/exact/determinant.hpp"
 #include "realize/exact/sign.hpp"
 
 namespace hexatlas::exact {
 
 using Integer = mpz_class;
-
-/// value = mantissa 2^exponent, |mantissa| < 2^53; the exponent of zero is meaningless.
-struct BinaryParts {
-  std::int64_t mantissa;
-  int exponent;
-};
-
-[[nodiscard]] inline BinaryParts binary_parts(double value) noexcept {
-  constexpr int kBits = std::numeric_limits<double>::digits;
-  int exponent = 0;
-  const double fraction = std::frexp(value, &exponent);
-  return {static_cast<std::int64_t>(std::ldexp(fraction, kBits)), exponent - kBits};
-}
 
 [[nodiscard]] inline Integer scaled_integer(double value, int unit_exponent) {
   if (value == 0) return 0;

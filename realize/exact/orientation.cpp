@@ -5,6 +5,7 @@
 
 #include "realize/exact/determinant.hpp"
 #include "realize/exact/integers.hpp"
+#include "realize/exact/limb_points.hpp"
 
 namespace hexatlas::exact {
 namespace {
@@ -22,10 +23,18 @@ std::optional<Sign> filtered(const Tetrahedron& points) {
   return filter.sign(determinant(edges[0], edges[1], edges[2]), 1);
 }
 
+template <class Number>
+Sign sign_of_edges(const std::array<Vector3<Number>, 3>& edges) {
+  return sign_of(determinant(edges[0], edges[1], edges[2]));
+}
+
 Sign exact_sign(const Tetrahedron& points) {
+  const TakenApart apart(points);
+  if (apart.fits<1>()) return sign_of_edges(apart.differences<1>());
+  if (apart.fits<2>()) return sign_of_edges(apart.differences<2>());
   const auto p = scaled_integers(points);
-  return sign_of(
-      determinant(difference(p[1], p[0]), difference(p[2], p[0]), difference(p[3], p[0])));
+  return sign_of_edges<Integer>(
+      {difference(p[1], p[0]), difference(p[2], p[0]), difference(p[3], p[0])});
 }
 
 }  // namespace

@@ -6,12 +6,14 @@
 /// counter-clockwise, as for the origin followed by the unit points of a right-handed frame.
 ///
 /// Method. The determinant in double precision, if it exceeds a proven bound on its error
-/// (derived in realize/exact/determinant.hpp, underflow included); else integers of any length.
+/// (derived in realize/exact/determinant.hpp, underflow included); else integers, of fixed width
+/// where the coordinates are multiples below 2^125 of one power of two, otherwise of any length.
 /// The idea of a filter is that of Fortune and Van Wyk, "Efficient exact arithmetic for
 /// computational geometry" (1993); the bound is derived here.
 ///
 /// Requires. Finite coordinates, else PreconditionViolated; rounding to nearest.
-/// Cost. About 40 operations; some microseconds if the filter cannot decide.
+/// Cost. About 40 operations. If the filter cannot decide, ten times that for multiples below
+/// 2^61 of one power of two, twice as much again below 2^125, else some microseconds.
 
 #include <optional>
 
