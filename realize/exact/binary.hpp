@@ -8,6 +8,13 @@
 
 namespace hexatlas::exact {
 
+/// 2^exponent. Requires. A normal double; not checked.
+[[nodiscard]] inline double power_of_two(int exponent) noexcept {
+  constexpr int kFractionBits = std::numeric_limits<double>::digits - 1;
+  const int biased = exponent - (std::numeric_limits<double>::min_exponent - 2);
+  return std::bit_cast<double>(static_cast<std::uint64_t>(biased) << kFractionBits);
+}
+
 /// value = mantissa 2^exponent, |mantissa| < 2^53 and odd; the exponent of zero is meaningless.
 struct BinaryParts {
   std::int64_t mantissa;

@@ -96,26 +96,27 @@ Signs signs(const std::array<Vector3<Number>, 4>& v) {
 }
 
 Signs exact_signs(const FivePoints& points) {
+  if (const auto edges = one_limb_differences(points)) return signs(*edges);
   expect_finite(points);
-  const TakenApart apart(points);
-  if (apart.fits<1>()) return signs(apart.differences<1>());
-  if (apart.fits<2>()) return signs(apart.differences<2>());
+  if (const auto edges = two_limb_differences(points)) return signs(*edges);
   const auto p = scaled_integers(points);
   return signs<Integer>({difference(p[1], p[0]), difference(p[2], p[0]), difference(p[3], p[0]),
                          difference(p[4], p[0])});
 }
 
-/// The sign of the last point in lexicographic order that has one.
+/// The sign of the last point in lexicographic order that has one. If two points are equal, no
+/// other point has one, so all such cases are found.
 Sign sign_of_tie(const FivePoints& points, const std::array<Sign, 5>& by_height) {
   const auto place = [&](std::size_t i) { return std::tie(points[i].x, points[i].y, points[i].z); };
-  std::array<std::size_t, 5> order{0, 1, 2, 3, 4};
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t i, std::size_t j) { return place(i) > place(j); });
-  for (std::size_t i = 1; i < order.size(); ++i)
-    core::expects(place(order[i - 1]) != place(order[i]), "exact: two points are equal");
-  for (const std::size_t i : order)
-    if (by_height[i] != Sign::zero) return by_height[i];
-  return Sign::zero;
+  std::size_t last = points.size();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (by_height[i] == Sign::zero) continue;
+    if (last == points.size() || place(last) < place(i))
+      last = i;
+    else
+      core::expects(place(i) < place(last), "exact: two points are equal");
+  }
+  return last == points.size() ? Sign::zero : by_height[last];
 }
 
 }  // namespace

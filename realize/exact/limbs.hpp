@@ -15,6 +15,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 #include "realize/exact/determinant.hpp"
 #include "realize/exact/sign.hpp"
@@ -24,6 +26,15 @@ namespace hexatlas::exact {
 __extension__ using Wide = __int128;
 __extension__ using UnsignedWide = unsigned __int128;
 
+/// step(0), ..., step(kCount - 1) with constant indices: a loop would keep the limbs in memory.
+template <std::size_t kCount, class Step>
+[[gnu::always_inline]] inline void unrolled(const Step& step) noexcept {
+  [&]<std::size_t... kIndex>(std::index_sequence<kIndex...>) __attribute__((always_inline)) {
+    (step(std::integral_constant<std::size_t, kIndex>{}), ...);
+  }
+  (std::make_index_sequence<kCount>{});
+}
+
 /// Least limb first.
 template <std::size_t kLimbs>
 struct Limbs {
@@ -31,55 +42,79 @@ struct Limbs {
 
   [[nodiscard]] bool is_negative() const noexcept { return limb[kLimbs - 1] >> 63U != 0; }
 
-  Limbs& operator+=(const Limbs& other) noexcept {
-    UnsignedWide carry = 0;
-    for (std::size_t i = 0; i < kLimbs; ++i) {
-      carry += UnsignedWide{limb[i]} + other.limb[i];
-      limb[i] = static_cast<std::uint64_t>(carry);
-      carry >>= 64U;
-    }
-    return *this;
+  /// Limbs 2i and 2i + 1.
+  [[nodiscard]] [[gnu::always_inline]] UnsignedWide pair(std::size_t i) const noexcept {
+    return UnsignedWide{limb[2 * i + 1]} << 64U | limb[2 * i];
   }
-  Limbs& operator-=(const Limbs& other) noexcept {
-    UnsignedWide carry = 1;
-    for (std::size_t i = 0; i < kLimbs; ++i) {
-      carry += UnsignedWide{limb[i]} + ~other.limb[i];
-      limb[i] = static_cast<std::uint64_t>(carry);
-      carry >>= 64U;
-    }
-    return *this;
+  [[gnu::always_inline]] void set_pair(std::size_t i, UnsignedWide value) noexcept {
+    limb[2 * i] = static_cast<std::uint64_t>(value);
+    limb[2 * i + 1] = static_cast<std::uint64_t>(value >> 64U);
   }
-  friend Limbs operator+(Limbs a, const Limbs& b) noexcept { return a += b; }
-  friend Limbs operator-(Limbs a, const Limbs& b) noexcept { return a -= b; }
+
+  [[gnu::always_inline]] friend Limbs operator+(const Limbs& a, const Limbs& b) noexcept {
+    Limbs sum{};
+    bool carry = false;
+    unrolled<kLimbs / 2>([&](auto i) __attribute__((always_inline)) {
+      const UnsignedWide without_carry = a.pair(i) + b.pair(i);
+      const UnsignedWide digit = without_carry + carry;
+      carry = (without_carry < a.pair(i)) | (digit < without_carry);
+      sum.set_pair(i, digit);
+    });
+    if constexpr (kLimbs % 2 != 0)
+      sum.limb[kLimbs - 1] = a.limb[kLimbs - 1] + b.limb[kLimbs - 1] + carry;
+    return sum;
+  }
+  [[gnu::always_inline]] friend Limbs operator-(const Limbs& a, const Limbs& b) noexcept {
+    Limbs rest{};
+    bool borrow = false;
+    unrolled<kLimbs / 2>([&](auto i) __attribute__((always_inline)) {
+      const UnsignedWide without_borrow = a.pair(i) - b.pair(i);
+      const UnsignedWide digit = without_borrow - borrow;
+      borrow = (a.pair(i) < b.pair(i)) | (without_borrow < digit);
+      rest.set_pair(i, digit);
+    });
+    if constexpr (kLimbs % 2 != 0)
+      rest.limb[kLimbs - 1] = a.limb[kLimbs - 1] - b.limb[kLimbs - 1] - borrow;
+    return rest;
+  }
   friend bool operator==(const Limbs&, const Limbs&) = default;
 };
 
 /// a - b 2^(64 kShift) if `condition`, else a; without a branch, since signs are not predictable.
 template <std::size_t kShift, std::size_t kA, std::size_t kB>
-void subtract_shifted_if(bool condition, Limbs<kA>& a, const Limbs<kB>& b) noexcept {
+[[gnu::always_inline]] inline void subtract_shifted_if(bool condition, Limbs<kA>& a,
+                                                       const Limbs<kB>& b) noexcept {
   static_assert(kShift + kB == kA);
   const std::uint64_t mask = condition ? ~std::uint64_t{0} : 0;
-  UnsignedWide carry = 1;
-  for (std::size_t i = 0; i < kB; ++i) {
-    carry += UnsignedWide{a.limb[i + kShift]} + ~(b.limb[i] & mask);
-    a.limb[i + kShift] = static_cast<std::uint64_t>(carry);
-    carry >>= 64U;
-  }
+  Limbs<kB> high{};
+  Limbs<kB> masked{};
+  unrolled<kB>([&](auto i) __attribute__((always_inline)) {
+    high.limb[i] = a.limb[i + kShift];
+    masked.limb[i] = b.limb[i] & mask;
+  });
+  high = high - masked;
+  unrolled<kB>([&](auto i) __attribute__((always_inline)) { a.limb[i + kShift] = high.limb[i]; });
 }
 
 /// The whole product. A negative factor a was read as a + 2^(64 kA), which is corrected.
 template <std::size_t kA, std::size_t kB>
-[[nodiscard]] Limbs<kA + kB> operator*(const Limbs<kA>& a, const Limbs<kB>& b) noexcept {
+[[nodiscard]] [[gnu::always_inline]] inline Limbs<kA + kB> operator*(const Limbs<kA>& a,
+                                                                     const Limbs<kB>& b) noexcept {
   Limbs<kA + kB> product{};
-  for (std::size_t i = 0; i < kA; ++i) {
+  if constexpr (kA == 1 && kB == 1) {
+    product.set_pair(0, static_cast<UnsignedWide>(Wide{static_cast<std::int64_t>(a.limb[0])} *
+                                                  static_cast<std::int64_t>(b.limb[0])));
+    return product;
+  }
+  unrolled<kA>([&](auto i) __attribute__((always_inline)) {
     UnsignedWide carry = 0;
-    for (std::size_t j = 0; j < kB; ++j) {
+    unrolled<kB>([&](auto j) __attribute__((always_inline)) {
       carry += UnsignedWide{a.limb[i]} * b.limb[j] + product.limb[i + j];
       product.limb[i + j] = static_cast<std::uint64_t>(carry);
       carry >>= 64U;
-    }
+    });
     product.limb[i + kB] = static_cast<std::uint64_t>(carry);
-  }
+  });
   subtract_shifted_if<kA>(a.is_negative(), product, b);
   subtract_shifted_if<kB>(b.is_negative(), product, a);
   return product;

@@ -29,9 +29,9 @@ Sign sign_of_edges(const std::array<Vector3<Number>, 3>& edges) {
 }
 
 Sign exact_sign(const Tetrahedron& points) {
-  const TakenApart apart(points);
-  if (apart.fits<1>()) return sign_of_edges(apart.differences<1>());
-  if (apart.fits<2>()) return sign_of_edges(apart.differences<2>());
+  if (const auto edges = one_limb_differences(points)) return sign_of_edges(*edges);
+  expect_finite(points);
+  if (const auto edges = two_limb_differences(points)) return sign_of_edges(*edges);
   const auto p = scaled_integers(points);
   return sign_of_edges<Integer>(
       {difference(p[1], p[0]), difference(p[2], p[0]), difference(p[3], p[0])});
@@ -48,7 +48,6 @@ std::optional<Sign> filtered_sign_of_orientation(const Point3& a, const Point3& 
 
 Sign sign_of_orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
   const Tetrahedron points{a, b, c, d};
-  expect_finite(points);
   const std::optional<Sign> sign = filtered(points);
   return sign ? *sign : exact_sign(points);
 }
