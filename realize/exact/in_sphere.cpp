@@ -17,8 +17,8 @@ namespace {
 /// e, a, b, c, d: what is subtracted comes first.
 using FivePoints = std::array<Point3, 5>;
 
-/// D of the header is the sum of square[i] factor[i], since neither D nor the D_p change if the
-/// five points are moved, and e is moved to the origin: factor is D_a, D_b, D_c, D_d.
+/// Neither D nor the D_p change if all points are moved so that e is the origin, and then D is the
+/// sum of square[i] factor[i]; the factors are D_a, D_b, D_c, D_d.
 template <class Number>
 struct Expansion {
   std::array<typename Degrees<Number>::Two, 4> square;
@@ -51,6 +51,26 @@ typename Degrees<Number>::Five value(const Expansion<Number>& e) {
          e.square[3] * e.factor[3];
 }
 
+/// Claim. Let X, Y, Z be the greatest absolute values of the coordinates of the four computed
+/// differences, and S the greatest computed squared length. If 2^-180 <= X, Y, Z <= 2^180, the
+/// computed value differs from D by at most 2^-44 fl(fl(fl(XY)Z)S).
+///
+/// Proof. u, h, P = XYZ as in realize/exact/determinant.hpp; T is the greatest real squared length
+/// of the computed differences, so T >= 2^-360. (1) D is a sum of products of five true
+/// differences, each the product of the computed ones
+///     divided by five factors 1 + d, |d| <= u. The absolute values of the latter add up to at most
+///     4 * 6 P T, so D differs from its value for the computed differences by at most
+///     5.01 u * 24 P T <= 120.3 u P T.
+/// (2) As there, a minor errs by at most 4.01 u XY + 2.01 h, its product with z by at most
+///     6.02 u P + 2.01 Z h + h, and a factor, three of these and two additions, by at most
+///     28.12 u P + 6.03 Z h + 3.01 h <= 28.13 u P, since h <= 2^-535 P and Z h <= 2^-715 P. It is
+///     at most 6.04 P.
+/// (3) A square errs by at most 3.01 u T + 3.01 h <= 3.02 u T.
+/// (4) A product of these two errs by at most 3.02 u T 6.04 P + T 28.13 u P + 6.05 u P T + h
+///     <= 52.5 u P T, since h <= 2^-175 P T: four of them by 210 u P T. Each is at most 6.05 P T,
+///     so the three additions err by at most 6.06 (2 + 3 + 4) u P T <= 54.6 u P T.
+/// (5) In sum 385 u P T. The bound is at least 512 u (1 - u)^3 P (1 - 3.02 u) T. Nothing overflows,
+///     since 25 P T <= 75 2^900.
 std::optional<Sign> filtered(const FivePoints& points) {
   constexpr double kLeast = 0x1p-180;
   constexpr double kGreatest = 0x1p180;
@@ -77,7 +97,7 @@ std::optional<Sign> filtered(const FivePoints& points) {
   return std::nullopt;
 }
 
-/// The sign of D, and, if that is zero, of D_e, D_a, D_b, D_c, D_d.
+/// The sign of D, and, if that is zero, those of D_e, D_a, D_b, D_c, D_d.
 struct Signs {
   Sign in_sphere;
   std::array<Sign, 5> by_height;
@@ -98,7 +118,9 @@ Signs signs(const std::array<Vector3<Number>, 4>& v) {
 Signs exact_signs(const FivePoints& points) {
   if (const auto edges = one_limb_differences(points)) return signs(*edges);
   expect_finite(points);
-  if (const auto edges = two_limb_differences(points)) return signs(*edges);
+  const TakenApart apart(points);
+  if (const auto edges = apart.differences<1>()) return signs(*edges);
+  if (const auto edges = apart.differences<2>()) return signs(*edges);
   const auto p = scaled_integers(points);
   return signs<Integer>({difference(p[1], p[0]), difference(p[2], p[0]), difference(p[3], p[0]),
                          difference(p[4], p[0])});

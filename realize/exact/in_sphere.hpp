@@ -17,12 +17,14 @@
 /// docs/theory/delaunay-ties.md.
 ///
 /// Method. D in double precision, if it exceeds a proven bound on its error (derived in
-/// realize/exact/in_sphere.cpp, underflow included); else integers, of fixed width where the
-/// coordinates are multiples below 2^125 of one power of two, otherwise of any length.
+/// realize/exact/in_sphere.cpp, underflow included); else integers, all coordinates being multiples
+/// of one power of two: of fixed width if the differences are below 2^126 times that, otherwise of
+/// any length.
 ///
 /// Requires. Finite coordinates, else PreconditionViolated; rounding to nearest.
-/// Cost. About 100 operations. If the filter cannot decide, ten times that for multiples below
-/// 2^61 of one power of two, three times as much again below 2^125, else some microseconds.
+/// Cost. About 100 operations. If the filter cannot decide, five times that for differences below
+/// 2^62 (of lattices, of rounded points of a surface), twenty times below 2^126, else some
+/// microseconds.
 
 #include <optional>
 
@@ -34,8 +36,8 @@ namespace hexatlas::exact {
 [[nodiscard]] Sign sign_of_in_sphere(const Point3& a, const Point3& b, const Point3& c,
                                      const Point3& d, const Point3& e);
 
-/// The sign after perturbation. Requires also that no two points are equal, else
-/// PreconditionViolated where the unperturbed sign is zero.
+/// The sign after perturbation; zero if and only if all five are in one plane. Requires also that
+/// no two points are equal, else PreconditionViolated, or zero if all are in one plane.
 [[nodiscard]] Sign sign_of_perturbed_in_sphere(const Point3& a, const Point3& b, const Point3& c,
                                                const Point3& d, const Point3& e);
 

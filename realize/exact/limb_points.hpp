@@ -18,7 +18,7 @@
 namespace hexatlas::exact {
 
 /// All points but the first, minus the first, times a power of two: below 2^(64 kLimbs - 2) in
-/// absolute value, since the coordinates are below half of that.
+/// absolute value.
 template <std::size_t kLimbs, std::size_t kCount>
 using LimbDifferences = std::array<Vector3<Limbs<kLimbs>>, kCount - 1>;
 
@@ -40,8 +40,8 @@ template <std::size_t kCount>
          1;
 }
 
-/// nullopt if the coordinates are not multiples below 2^61 of one power of two, or if one is not
-/// finite. Not promised: an answer if all are below 2^-900.
+/// The fast way: nullopt if the coordinates are not multiples below 2^61 of one power of two, or if
+/// one is not finite. Not promised: an answer if all are below 2^-900.
 template <std::size_t kCount>
 [[nodiscard]] std::optional<LimbDifferences<1, kCount>> one_limb_differences(
     const std::array<Point3, kCount>& points) noexcept {
@@ -71,32 +71,54 @@ template <std::size_t kCount>
   return result;
 }
 
-/// nullopt if the coordinates are not multiples below 2^125 of one power of two.
-/// Requires. Finite coordinates; not checked.
+/// The coordinates of points, taken apart.
 template <std::size_t kCount>
-[[nodiscard]] std::optional<LimbDifferences<2, kCount>> two_limb_differences(
-    const std::array<Point3, kCount>& points) noexcept {
-  constexpr int kBits = 125;
-  std::array<std::array<BinaryParts, 3>, kCount> parts{};
-  int unit = std::numeric_limits<int>::max();
-  for (std::size_t i = 0; i < kCount; ++i) {
-    parts[i] = {binary_parts(points[i].x), binary_parts(points[i].y), binary_parts(points[i].z)};
-    for (const BinaryParts& part : parts[i])
-      if (part.mantissa != 0) unit = std::min(unit, part.exponent);
+class TakenApart {
+ public:
+  /// Requires. Finite coordinates; not checked.
+  explicit TakenApart(const std::array<Point3, kCount>& points) noexcept {
+    std::array<Point3, kCount> differences{};
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const Point3& p = points[i];
+      parts_[i] = {binary_parts(p.x), binary_parts(p.y), binary_parts(p.z)};
+      for (const BinaryParts& part : parts_[i])
+        if (part.mantissa != 0) unit_ = std::min(unit_, part.exponent);
+      differences[i] = {p.x - points[0].x, p.y - points[0].y, p.z - points[0].z};
+    }
+    top_ = exponent_above(differences);  // bounds the real ones too, since rounding is monotone
   }
-  if (unit < exponent_above(points) - kBits) return std::nullopt;
-  const auto scaled = [&](const BinaryParts& part) -> Limbs<2> {
-    if (part.mantissa == 0) return {};
-    Limbs<2> result{};
-    result.set_pair(0, static_cast<UnsignedWide>(Wide{part.mantissa}) << (part.exponent - unit));
+
+  /// nullopt if the result does not fit. Coordinates that do not fit by themselves wrap around.
+  template <std::size_t kLimbs>
+  [[nodiscard]] std::optional<LimbDifferences<kLimbs, kCount>> differences() const noexcept {
+    if (unit_ < top_ - static_cast<int>(64 * kLimbs - 2)) return std::nullopt;
+    LimbDifferences<kLimbs, kCount> result{};
+    for (std::size_t i = 1; i < kCount; ++i) {
+      const auto entry = [&](std::size_t k) {
+        return scaled<kLimbs>(parts_[i][k]) - scaled<kLimbs>(parts_[0][k]);
+      };
+      result[i - 1] = {entry(0), entry(1), entry(2)};
+    }
     return result;
-  };
-  LimbDifferences<2, kCount> result{};
-  for (std::size_t i = 1; i < kCount; ++i)
-    result[i - 1] = {scaled(parts[i][0]) - scaled(parts[0][0]),
-                     scaled(parts[i][1]) - scaled(parts[0][1]),
-                     scaled(parts[i][2]) - scaled(parts[0][2])};
-  return result;
-}
+  }
+
+ private:
+  template <std::size_t kLimbs>
+  [[nodiscard]] Limbs<kLimbs> scaled(const BinaryParts& part) const noexcept {
+    static_assert(kLimbs == 1 || kLimbs == 2);
+    const int shift = part.exponent - unit_;
+    Limbs<kLimbs> result{};
+    if (part.mantissa == 0 || shift >= static_cast<int>(64 * kLimbs)) return result;
+    if constexpr (kLimbs == 1)
+      result.limb[0] = static_cast<std::uint64_t>(part.mantissa) << shift;
+    else
+      result.set_pair(0, static_cast<UnsignedWide>(Wide{part.mantissa}) << shift);
+    return result;
+  }
+
+  std::array<std::array<BinaryParts, 3>, kCount> parts_{};
+  int unit_ = std::numeric_limits<int>::max();
+  int top_ = 0;
+};
 
 }  // namespace hexatlas::exact

@@ -31,7 +31,9 @@ Sign sign_of_edges(const std::array<Vector3<Number>, 3>& edges) {
 Sign exact_sign(const Tetrahedron& points) {
   if (const auto edges = one_limb_differences(points)) return sign_of_edges(*edges);
   expect_finite(points);
-  if (const auto edges = two_limb_differences(points)) return sign_of_edges(*edges);
+  const TakenApart apart(points);
+  if (const auto edges = apart.differences<1>()) return sign_of_edges(*edges);
+  if (const auto edges = apart.differences<2>()) return sign_of_edges(*edges);
   const auto p = scaled_integers(points);
   return sign_of_edges<Integer>(
       {difference(p[1], p[0]), difference(p[2], p[0]), difference(p[3], p[0])});

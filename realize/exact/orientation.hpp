@@ -6,14 +6,15 @@
 /// counter-clockwise, as for the origin followed by the unit points of a right-handed frame.
 ///
 /// Method. The determinant in double precision, if it exceeds a proven bound on its error
-/// (derived in realize/exact/determinant.hpp, underflow included); else integers, of fixed width
-/// where the coordinates are multiples below 2^125 of one power of two, otherwise of any length.
+/// (derived in realize/exact/determinant.hpp, underflow included); else integers, all coordinates
+/// being multiples of one power of two: of fixed width if the differences are below 2^126 times
+/// that, otherwise of any length.
 /// The idea of a filter is that of Fortune and Van Wyk, "Efficient exact arithmetic for
 /// computational geometry" (1993); the bound is derived here.
 ///
 /// Requires. Finite coordinates, else PreconditionViolated; rounding to nearest.
-/// Cost. About 40 operations. If the filter cannot decide, ten times that for multiples below
-/// 2^61 of one power of two, twice as much again below 2^125, else some microseconds.
+/// Cost. About 40 operations. If the filter cannot decide, three times that for differences below
+/// 2^62, ten times below 2^126, else about a microsecond.
 
 #include <optional>
 

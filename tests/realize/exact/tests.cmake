@@ -2,3 +2,7 @@ hexatlas_test(realize_exact_test fast
   SOURCES exact/orientation_test.cpp exact/integer_orientation_test.cpp exact/jacobian_test.cpp exact/volume_test.cpp
     exact/patch_test.cpp
   USES realize_exact)
+hexatlas_test(realize_in_sphere_test fast
+  SOURCES exact/in_sphere_test.cpp exact/in_sphere_ties_test.cpp
+  USES realize_exact)
+hexatlas_test(realize_limbs_test fast SOURCES exact/limbs_test.cpp USES realize_exact)
