@@ -1,0 +1,275 @@
+#include "meshing/delaunay/builder.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "enum/core/checks.hpp"
+#include "enum/parallel/parallel_for.hpp"
+#include "meshing/delaunay/space_order.hpp"
+#include "realize/exact/orientation.hpp"
+
+namespace hexatlas::delaunay {
+namespace {
+
+using exact::Point3;
+using exact::Sign;
+
+constexpr std::size_t kCellsPerPoint = 7;      // of many points in general position, a little more
+constexpr std::size_t kFewPerThread = 2000;    // fewer are not worth a pass
+constexpr std::size_t kSpareCells = 1U << 16;  // for each thread, besides those of its points
+
+bool are_collinear(const Point3& a, const Point3& b, const Point3& c) {
+  // In each of three projections, seen from a point that is not in their plane.
+  return exact::sign_of_orientation({a.x, a.y, 0}, {b.x, b.y, 0}, {c.x, c.y, 0}, {0, 0, 1}) ==
+             Sign::zero &&
+         exact::sign_of_orientation({0, a.y, a.z}, {0, b.y, b.z}, {0, c.y, c.z}, {1, 0, 0}) ==
+             Sign::zero &&
+         exact::sign_of_orientation({a.x, 0, a.z}, {b.x, 0, b.z}, {c.x, 0, c.z}, {0, 1, 0}) ==
+             Sign::zero;
+}
+
+}  // namespace
+
+template <class Index>
+Builder<Index>::Builder(std::span<const mesh::Point> points, std::uint64_t seed, int threads) {
+  core::expects(threads >= 1, "at least one thread");
+  const std::size_t sites = points.size() + kFirstSite;
+  sites_.resize(sites);
+  points_.resize(sites);
+  bytes_.resize(sites);
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  sites_[kNone] = sites_[kGhost] = {kNowhere, kNowhere, kNowhere, 0};
+  const SpaceOrder order = space_order(points, seed, threads);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Placed& placed = order.points[i];
+    const mesh::Point& p = points[placed.point];
+    sites_[i + kFirstSite] = {p.x, p.y, p.z, placed.key};
+    points_[i + kFirstSite] = placed.point;
+  }
+  for (int t = 0; t < threads; ++t) inserters_.emplace_back(cells_, sites_.data(), bytes_.data());
+  std::array<Index, 4> first{};
+  if (!find_first_four(first)) return;
+  cells_.reserve(kCellsPerPoint * sites + kSpareCells);
+  inserters_.front().begin(first);
+  insert_rounds(order.rounds, first);
+}
+
+/// Sets the dimension.
+template <class Index>
+bool Builder<Index>::find_first_four(std::array<Index, 4>& first) {
+  const auto at = [&](Index s) { return sites_[s].point(); };
+  const auto end = static_cast<Index>(points_.size());
+  std::size_t found = 0;
+  for (Index s = kFirstSite; s < end && found < 4; ++s) {
+    const bool is_independent =
+        found == 0 || (found == 1 && !sites_[s].is_at(sites_[first[0]])) ||
+        (found == 2 && !are_collinear(at(first[0]), at(first[1]), at(s))) ||
+        (found == 3 &&
+         exact::sign_of_orientation(at(first[0]), at(first[1]), at(first[2]), at(s)) != Sign::zero);
+    if (is_independent) first[found++] = s;
+  }
+  dimension_ = static_cast<int>(found) - 1;
+  if (found < 4) return false;
+  if (exact::sign_of_orientation(at(first[0]), at(first[1]), at(first[2]), at(first[3])) ==
+      Sign::negative)
+    std::swap(first[0], first[1]);
+  return true;
+}
+
+template <class Index>
+void Builder<Index>::insert_rounds(std::span<const std::size_t> rounds,
+                                   const std::array<Index, 4>& first) {
+  for (std::size_t r = 0; r + 1 < rounds.size(); ++r) {
+    std::vector<Index> sites;
+    sites.reserve(rounds[r + 1] - rounds[r]);
+    for (std::size_t i = rounds[r]; i < rounds[r + 1]; ++i)
+      if (const auto s = static_cast<Index>(i + kFirstSite);
+          std::find(first.begin(), first.end(), s) == first.end())
+        sites.push_back(s);
+    if (inserters_.size() == 1)
+      insert_here(sites);
+    else
+      insert_in_parts(std::move(sites));
+  }
+}
+
+template <class Index>
+void Builder<Index>::insert_here(std::span<const Index> sites) {
+  for (const Index s : sites)
+    if (inserter().insert(s) == Outcome::duplicate) note_duplicate(s, inserter().twin());
+}
+
+/// Ends: a pass that inserts less than half of its sites is the last.
+template <class Index>
+void Builder<Index>::insert_in_parts(std::vector<Index> pending) {
+  bool is_shifted = false, is_worth_it = true;
+  while (is_worth_it && pending.size() >= kFewPerThread * inserters_.size()) {
+    cells_.reserve(cells_.size() + kCellsPerPoint * pending.size() +
+                   kSpareCells * inserters_.size());
+    std::vector<Index> left = inserted_in_parts(pending, is_shifted);
+    std::sort(left.begin(), left.end(), [&](Index a, Index b) {
+      return std::pair(sites_[a].key, a) < std::pair(sites_[b].key, b);
+    });
+    is_shifted = !is_shifted;
+    is_worth_it = 2 * left.size() <= pending.size();
+    pending = std::move(left);
+  }
+  insert_here(pending);
+}
+
+/// The curve, thought of as closed, is cut where the pending sites are as many in each part; if
+/// shifted, in the middle between these cuts. Requires sites by ascending keys.
+template <class Index>
+std::vector<Region> Builder<Index>::regions(std::span<const Index> pending, bool is_shifted) const {
+  const std::size_t parts = inserters_.size();
+  const auto cut = [&](std::size_t i) {
+    return sites_[pending[(2 * i + (is_shifted ? 1 : 0)) * pending.size() / (2 * parts)]].key;
+  };
+  std::vector<Region> result;
+  for (std::size_t t = 0; t + 1 < parts; ++t) result.push_back({cut(t), cut(t + 1), false});
+  result.push_back({cut(0), cut(parts - 1), true});
+  return result;
+}
+
+/// The sites that were not inserted.
+template <class Index>
+std::vector<Index> Builder<Index>::inserted_in_parts(std::span<const Index> pending,
+                                                     bool is_shifted) {
+  struct Part {
+    std::vector<Index> sites, left;
+    std::vector<std::pair<Index, Index>> duplicates;
+    bool has_changed = false;
+  };
+  const std::vector<Region> all_regions = regions(pending, is_shifted);
+  std::vector<Part> parts(inserters_.size());
+  for (const Index s : pending) {
+    std::size_t t = 0;
+    while (!all_regions[t].has(sites_[s])) ++t;
+    parts[t].sites.push_back(s);
+  }
+  Index in_use = inserter().start();
+  std::vector<Index> starts;
+  for (std::size_t t = 0; t < parts.size(); ++t)
+    starts.push_back(start_in(all_regions[t], parts[t].sites));
+  for (std::size_t t = 0; t < parts.size(); ++t) {
+    inserters_[t].start_at(starts[t]);
+    inserters_[t].confine_to(all_regions[t]);
+  }
+  parallel::parallel_for(static_cast<int>(parts.size()), parts.size(), [&](std::size_t t) {
+    Part& part = parts[t];
+    if (starts[t] == kNone) {
+      part.left.swap(part.sites);
+      return;
+    }
+    for (const Index s : part.sites) {
+      const Outcome outcome = inserters_[t].insert(s);
+      if (outcome == Outcome::inserted)
+        part.has_changed = true;
+      else if (outcome == Outcome::duplicate)
+        part.duplicates.emplace_back(s, inserters_[t].twin());
+      else
+        part.left.push_back(s);
+    }
+  });
+  std::vector<Index> left;
+  for (std::size_t t = 0; t < parts.size(); ++t) {
+    inserters_[t].release();
+    if (parts[t].has_changed) in_use = inserters_[t].start();
+    left.insert(left.end(), parts[t].left.begin(), parts[t].left.end());
+    for (const auto& [site, twin] : parts[t].duplicates) note_duplicate(site, twin);
+  }
+  inserter().start_at(in_use);
+  return left;
+}
+
+/// A cell within the region, near some of its sites, or kNone.
+template <class Index>
+Index Builder<Index>::start_in(const Region& region, std::span<const Index> sites) {
+  constexpr std::size_t kTries = 8;
+  for (std::size_t i = 0; i < kTries && !sites.empty(); ++i) {
+    const Index cell = inserter().located(sites_[sites[i * sites.size() / kTries]]);
+    const auto& vertices = cells_[cell].vertices;
+    if (std::all_of(vertices.begin(), vertices.end(),
+                    [&](Index v) { return v == kGhost || region.has(sites_[v]); }))
+      return cell;
+  }
+  return kNone;
+}
+
+template <class Index>
+Index Builder<Index>::add(const mesh::Point& point) {
+  core::expects(dimension_ == 3, "the points so far span space");
+  const std::size_t site = points_.size();
+  if (site == sites_.capacity()) sites_.resize(site + site / 4 + 1);
+  sites_[site] = {point.x, point.y, point.z, 0};
+  points_.push_back(static_cast<mesh::Index>(site - kFirstSite));
+  bytes_.push_back(0);
+  sites_of_points_.clear();
+  inserter().use(sites_.data(), bytes_.data());
+  const auto added = static_cast<Index>(site);
+  if (inserter().insert(added) == Outcome::inserted) return added;
+  note_duplicate(added, inserter().twin());
+  return inserter().twin();
+}
+
+/// The vertex is called by the least number of the points at its place, whichever came first.
+template <class Index>
+void Builder<Index>::note_duplicate(Index site, Index twin) noexcept {
+  ++duplicates_;
+  if (points_[site] < points_[twin]) std::swap(points_[site], points_[twin]);
+}
+
+template <class Index>
+Index Builder<Index>::site_of(mesh::Index point) {
+  if (sites_of_points_.empty()) {
+    sites_of_points_.resize(points());
+    for (std::size_t s = kFirstSite; s < points_.size(); ++s)
+      sites_of_points_[points_[s]] = static_cast<Index>(s);
+  }
+  return sites_of_points_[point];
+}
+
+template <class Index>
+std::size_t Builder<Index>::refine(
+    const std::function<std::optional<mesh::Point>(const std::array<mesh::Point, 4>& corners)>&
+        wish,
+    std::size_t most) {
+  const auto wish_for = [&](Index c) -> std::optional<mesh::Point> {
+    const Cell<Index>& cell = cells_[c];
+    if (!cell.is_used() || cell.ghost() < 4) return std::nullopt;
+    std::array<mesh::Point, 4> corners{};
+    for (unsigned i = 0; i < 4; ++i) {
+      const Site& site = sites_[cell.vertices[i]];
+      corners[i] = {site.x, site.y, site.z};
+    }
+    return wish(corners);
+  };
+  std::vector<Index> waiting(cells_.size());
+  std::iota(waiting.rbegin(), waiting.rend(), Index{0});
+  std::size_t inserted = 0;
+  while (!waiting.empty() && inserted < most) {
+    const Index cell = waiting.back();
+    waiting.pop_back();
+    const std::optional<mesh::Point> place = wish_for(cell);
+    if (!place) continue;
+    inserter().start_at(cell);
+    const std::size_t before = duplicates_;
+    add(*place);
+    if (duplicates_ > before) continue;
+    ++inserted;
+    const auto made = inserter().made();
+    waiting.insert(waiting.end(), made.begin(), made.end());
+  }
+  return inserted;
+}
+
+template <class Index>
+std::size_t Builder<Index>::bytes() const noexcept {
+  return cells_.bytes() + points_.size() * (sizeof(Site) + sizeof(mesh::Index) + 1);
+}
+
+template class Builder<std::uint32_t>;
+template class Builder<std::uint64_t>;
+
+}  // namespace hexatlas::delaunay

@@ -1,0 +1,101 @@
+#pragma once
+/// \file
+/// Private to meshing/delaunay: from points to cells, by one thread or several.
+///
+/// Several threads: each round of points is cut into as many parts of the curve as there are
+/// threads, and each thread inserts what it can without touching a vertex of another part. The rest
+/// is tried again with other parts, and in the end by one thread: docs/theory/parallel-delaunay.md.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "meshing/delaunay/cells.hpp"
+#include "meshing/delaunay/inserter.hpp"
+#include "meshing/delaunay/page_buffer.hpp"
+#include "meshing/delaunay/site.hpp"
+#include "meshing/mesh/mesh.hpp"
+
+namespace hexatlas::delaunay {
+
+template <class Index>
+class Builder {
+ public:
+  /// Requires finite coordinates, threads >= 1.
+  Builder(std::span<const mesh::Point> points, std::uint64_t seed, int threads);
+
+  /// Of the affine hull: -1 if there is no point. There are cells only if it is 3.
+  [[nodiscard]] int dimension() const noexcept { return dimension_; }
+  [[nodiscard]] const Cells<Index>& cells() const noexcept { return cells_; }
+  [[nodiscard]] const Site& site(Index s) const noexcept { return sites_[s]; }
+  /// The number of a site in the input; those added later follow.
+  [[nodiscard]] mesh::Index point_of(Index site) const noexcept { return points_[site]; }
+  [[nodiscard]] std::size_t points() const noexcept { return points_.size() - kFirstSite; }
+  [[nodiscard]] std::size_t duplicates() const noexcept { return duplicates_; }
+  [[nodiscard]] std::size_t bytes() const noexcept;
+
+  /// A further point, as the last one. Requires dimension 3; finite coordinates.
+  /// Invalidates references to sites and cells. The answer is its site, or the vertex at its place.
+  Index add(const mesh::Point& point);
+  /// As Triangulation::refine.
+  std::size_t refine(
+      const std::function<std::optional<mesh::Point>(const std::array<mesh::Point, 4>& corners)>&
+          wish,
+      std::size_t most);
+  [[nodiscard]] Inserter<Index>& inserter() noexcept { return inserters_.front(); }
+
+  /// visit(cell, i) for each cell at the place of the point, which is its vertex i.
+  template <class Visit>
+  void for_each_around(mesh::Index point, Visit&& visit);
+
+ private:
+  [[nodiscard]] bool find_first_four(std::array<Index, 4>& first);
+  void insert_rounds(std::span<const std::size_t> rounds, const std::array<Index, 4>& first);
+  void insert_here(std::span<const Index> sites);
+  void insert_in_parts(std::vector<Index> pending);
+  [[nodiscard]] std::vector<Region> regions(std::span<const Index> pending, bool is_shifted) const;
+  [[nodiscard]] std::vector<Index> inserted_in_parts(std::span<const Index> pending,
+                                                     bool is_shifted);
+  void note_duplicate(Index site, Index twin) noexcept;
+  [[nodiscard]] Index site_of(mesh::Index point);
+  [[nodiscard]] Index start_in(const Region& region, std::span<const Index> sites);
+
+  Cells<Index> cells_;
+  PageBuffer<Site> sites_;
+  std::vector<mesh::Index> points_;
+  std::vector<std::uint8_t> bytes_;
+  std::vector<Inserter<Index>> inserters_;
+  std::vector<Index> sites_of_points_;  ///< filled when first asked for
+  std::size_t duplicates_ = 0;
+  int dimension_ = -1;
+};
+
+template <class Index>
+template <class Visit>
+void Builder<Index>::for_each_around(mesh::Index point, Visit&& visit) {
+  const Site& place = sites_[site_of(point)];
+  std::vector<Index> found{inserter().located(place)};
+  const Index vertex = inserter().vertex_at(cells_[found[0]], place);
+  std::vector<Index> sorted = found;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const Cell<Index> cell = cells_[found[k]];
+    const auto at = static_cast<unsigned>(
+        std::find(cell.vertices.begin(), cell.vertices.end(), vertex) - cell.vertices.begin());
+    visit(cell, at);
+    for (unsigned i = 0; i < 4; ++i) {
+      const Index next = cell.neighbors[i] / 4;
+      const auto place_in_order = std::lower_bound(sorted.begin(), sorted.end(), next);
+      if (i == at || (place_in_order != sorted.end() && *place_in_order == next)) continue;
+      sorted.insert(place_in_order, next);
+      found.push_back(next);
+    }
+  }
+}
+
+}  // namespace hexatlas::delaunay

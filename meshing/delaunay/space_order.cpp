@@ -1,0 +1,173 @@
+#include "meshing/delaunay/space_order.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <numeric>
+#include <ranges>
+
+#include "enum/core/random.hpp"
+#include "enum/parallel/parallel_for.hpp"
+
+namespace hexatlas::delaunay {
+namespace {
+
+constexpr unsigned kMostLevels = 19;      // so that a key and the number of a round fit
+constexpr unsigned kExtraLevels = 3;      // finer than one point per cell, for uneven inputs
+constexpr unsigned kFirstRoundBits = 10;  // about 2^10 points in the first round
+constexpr unsigned kRoundBits = 3;        // a round has 2^3 times as many as all before
+
+/// The curve within an octant is the whole curve, turned: entry is the corner where it comes in,
+/// axis the direction in which it leaves. One state for each pair.
+struct Step {
+  std::uint8_t digit, state;
+};
+
+constexpr unsigned rotated_left(unsigned bits, unsigned by) {
+  by %= 3;
+  return ((bits << by) | (bits >> (3 - by))) & 7U;
+}
+constexpr unsigned gray(unsigned i) { return i ^ (i >> 1U); }
+constexpr unsigned gray_inverse(unsigned g) { return (g ^ (g >> 1U) ^ (g >> 2U)) & 7U; }
+
+constexpr Step step_from(unsigned state, unsigned octant) {
+  const unsigned entry = state & 7U, axis = state >> 3U;
+  const unsigned digit = gray_inverse(rotated_left(octant ^ entry, 3 - (axis + 1) % 3));
+  const unsigned local_entry = digit == 0 ? 0 : gray(2 * ((digit - 1) / 2));
+  const unsigned turned =
+      digit == 0 ? 0 : static_cast<unsigned>(std::countr_one(digit % 2 == 0 ? digit - 1 : digit));
+  const unsigned next_entry = entry ^ rotated_left(local_entry, axis + 1);
+  const unsigned next_axis = (axis + turned % 3 + 1) % 3;
+  return {static_cast<std::uint8_t>(digit),
+          static_cast<std::uint8_t>(next_entry | next_axis << 3U)};
+}
+
+constexpr auto kSteps = [] {
+  std::array<std::array<Step, 8>, 24> steps{};
+  for (unsigned state = 0; state < 24; ++state)
+    for (unsigned octant = 0; octant < 8; ++octant) steps[state][octant] = step_from(state, octant);
+  return steps;
+}();
+
+std::uint64_t hilbert_key(const std::array<std::uint32_t, 3>& cell, unsigned levels) {
+  std::uint64_t key = 0;
+  unsigned state = 0;
+  for (unsigned level = levels; level-- > 0;) {
+    const unsigned octant =
+        (cell[0] >> level & 1U) | (cell[1] >> level & 1U) << 1U | (cell[2] >> level & 1U) << 2U;
+    const Step step = kSteps[state][octant];
+    key = key << 3U | step.digit;
+    state = step.state;
+  }
+  return key;
+}
+
+/// A cube with 2^levels cells along each axis, around some points.
+class Grid {
+ public:
+  template <class Range>
+  Grid(const Range& points, unsigned levels) : levels_(levels) {
+    mesh::Point high = low_ = *points.begin();
+    for (const mesh::Point& p : points) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    width_ = std::max({half(high.x, low_.x), half(high.y, low_.y), half(high.z, low_.z)});
+    if (width_ == 0) width_ = 1;
+  }
+  [[nodiscard]] std::uint64_t key_of(const mesh::Point& p) const {
+    return hilbert_key({cell(p.x, low_.x), cell(p.y, low_.y), cell(p.z, low_.z)}, levels_);
+  }
+
+ private:
+  /// Half of the difference, so that it is finite.
+  [[nodiscard]] static double half(double to, double from) { return to / 2 - from / 2; }
+  [[nodiscard]] std::uint32_t cell(double value, double low) const {
+    const std::uint32_t cells = 1U << levels_;
+    return std::min(cells - 1, static_cast<std::uint32_t>(half(value, low) / width_ * cells));
+  }
+
+  unsigned levels_;
+  mesh::Point low_{};
+  double width_ = 1;
+};
+
+/// By the lowest `bits` bits of the keys; equal ones stay in order.
+void sort_by_key(std::vector<Placed>& points, unsigned bits) {
+  constexpr unsigned kDigit = 11;
+  std::vector<Placed> other(points.size());
+  std::vector<std::size_t> begins(std::size_t{1} << kDigit);
+  for (unsigned shift = 0; shift < bits; shift += kDigit) {
+    const auto digit = [shift](const Placed& p) { return p.key >> shift & ((1U << kDigit) - 1); };
+    std::fill(begins.begin(), begins.end(), 0);
+    for (const Placed& p : points) ++begins[digit(p)];
+    std::exclusive_scan(begins.begin(), begins.end(), begins.begin(), std::size_t{0});
+    for (const Placed& p : points) other[begins[digit(p)]++] = p;
+    points.swap(other);
+  }
+}
+
+template <class Visit>
+void for_each_group(std::span<const Placed> points, Visit&& visit) {
+  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
+    while (end < points.size() && points[end].key == points[begin].key) ++end;
+    visit(begin, end);
+  }
+}
+
+/// Points in one cell of the grid, along a curve through a grid of their own. The keys stay.
+void refine(std::span<Placed> group, std::span<const mesh::Point> points) {
+  constexpr std::size_t kFew = 32;
+  constexpr unsigned kLevels = 10;
+  if (group.size() <= kFew) return;
+  const auto at = [&](const Placed& p) -> const mesh::Point& { return points[p.point]; };
+  const Grid grid(std::views::transform(group, at), kLevels);
+  std::vector<Placed> sorted;
+  sorted.reserve(group.size());
+  for (const Placed& p : group) sorted.push_back({grid.key_of(at(p)), p.point});
+  sort_by_key(sorted, 3 * kLevels);
+  if (sorted.front().key == sorted.back().key) return;
+  for (std::size_t i = 0; i < group.size(); ++i) group[i].point = sorted[i].point;
+  for_each_group(std::span<const Placed>(sorted), [&](std::size_t begin, std::size_t end) {
+    refine(group.subspan(begin, end - begin), points);
+  });
+}
+
+}  // namespace
+
+SpaceOrder space_order(std::span<const mesh::Point> points, std::uint64_t seed, int threads) {
+  SpaceOrder order;
+  if (points.empty()) return {{}, {0}};
+  const auto bits = static_cast<unsigned>(std::bit_width(points.size()));
+  const unsigned levels = std::min(kMostLevels, bits / 3 + kExtraLevels);
+  const unsigned rounds = 1 + (bits > kFirstRoundBits ? (bits - kFirstRoundBits) / kRoundBits : 0);
+  const Grid grid(points, levels);
+  order.points.resize(points.size());
+  const auto place = [&](std::size_t i) {
+    const auto zeros = static_cast<unsigned>(std::countl_zero(core::mixed(seed + i)));
+    const std::uint64_t round = rounds - 1 - std::min(rounds - 1, zeros / kRoundBits);
+    order.points[i] = {round << (3 * levels) | grid.key_of(points[i]),
+                       static_cast<std::uint32_t>(i)};
+  };
+  const auto parts = static_cast<std::size_t>(threads);
+  parallel::parallel_for(threads, parts, [&](std::size_t t) {
+    for (std::size_t i = t * points.size() / parts; i < (t + 1) * points.size() / parts; ++i)
+      place(i);
+  });
+  sort_by_key(order.points, 3 * levels + static_cast<unsigned>(std::bit_width(rounds - 1)));
+  for_each_group(std::span<const Placed>(order.points), [&](std::size_t begin, std::size_t end) {
+    refine(std::span(order.points).subspan(begin, end - begin), points);
+  });
+  order.rounds.assign(1, 0);
+  for (std::size_t i = 0; i < order.points.size(); ++i) {
+    const std::uint64_t round = order.points[i].key >> (3 * levels);
+    while (order.rounds.size() <= round) order.rounds.push_back(i);
+    order.points[i].key &= (std::uint64_t{1} << (3 * levels)) - 1;
+  }
+  order.rounds.push_back(points.size());
+  order.key_bits = 3 * levels;
+  return order;
+}
+
+}  // namespace hexatlas::delaunay

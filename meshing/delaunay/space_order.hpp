@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// Private to meshing/delaunay: the order in which points are inserted.
+///
+/// Definition. Points are dealt into rounds, each about eight times as large as the one before,
+/// by a random choice that depends on their numbers and a seed only; within a round they follow a
+/// Hilbert curve through the bounding box. So a point is near the one before it, and whatever the
+/// input is, each prefix of rounds is a random sample.
+/// Sources: N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO" (2003); the curve by
+/// C. Hamilton, A. Rau-Chaplin, "Compact Hilbert indices" (2008).
+///
+/// Cost: linear, some 100 ns per point.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meshing/mesh/mesh.hpp"
+
+namespace hexatlas::delaunay {
+
+struct Placed {
+  std::uint64_t key = 0;    ///< along the curve, the same scale for all rounds
+  std::uint32_t point = 0;  ///< its number in the input
+};
+
+struct SpaceOrder {
+  std::vector<Placed> points;       ///< in the order of insertion
+  std::vector<std::size_t> rounds;  ///< where each round begins, and at last the number of points
+  unsigned key_bits = 0;            ///< keys are below 2^key_bits
+};
+
+/// Requires finite coordinates, threads >= 1. The same for any number of threads.
+[[nodiscard]] SpaceOrder space_order(std::span<const mesh::Point> points, std::uint64_t seed,
+                                     int threads);
+
+}  // namespace hexatlas::delaunay

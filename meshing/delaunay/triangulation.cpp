@@ -1,0 +1,163 @@
+#include "meshing/delaunay/triangulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "enum/core/checks.hpp"
+#include "meshing/delaunay/builder.hpp"
+
+namespace hexatlas::delaunay {
+namespace {
+
+using Tetrahedron = Triangulation::Tetrahedron;
+
+/// With the vertex at position i first, right-handed as before.
+Tetrahedron beginning_with(const Tetrahedron& t, unsigned i) {
+  return {t[i], t[i ^ 1U], t[i ^ 2U], t[i ^ 3U]};
+}
+
+Tetrahedron in_order(const Tetrahedron& t) {
+  const auto first = std::min_element(t.begin(), t.end()) - t.begin();
+  Tetrahedron result = beginning_with(t, static_cast<unsigned>(first));
+  std::rotate(result.begin() + 1, std::min_element(result.begin() + 1, result.end()), result.end());
+  return result;
+}
+
+template <class Index>
+bool is_tetrahedron(const Cell<Index>& cell) {
+  return cell.is_used() && cell.ghost() == 4;
+}
+
+template <class Index>
+Tetrahedron with_points(const Builder<Index>& builder, const Cell<Index>& cell) {
+  Tetrahedron result{};
+  for (unsigned i = 0; i < 4; ++i) result[i] = builder.point_of(cell.vertices[i]);
+  return result;
+}
+
+template <class Index, class Visit>
+void for_each_tetrahedron(const Builder<Index>& builder, Visit&& visit) {
+  if (builder.dimension() < 3) return;
+  for (std::size_t c = 1; c < builder.cells().size(); ++c)
+    if (const auto& cell = builder.cells()[static_cast<Index>(c)]; is_tetrahedron(cell))
+      visit(cell);
+}
+
+/// By the first vertex, in linear time; then those few that share it.
+void sort(std::vector<Tetrahedron>& tetrahedra, std::size_t points) {
+  std::vector<std::size_t> begins(points + 1);
+  for (const Tetrahedron& t : tetrahedra) ++begins[t[0] + 1];
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  std::vector<std::array<mesh::Index, 3>> others(tetrahedra.size());
+  std::vector<std::size_t> ends(begins.begin(), begins.end() - 1);
+  for (const Tetrahedron& t : tetrahedra) others[ends[t[0]]++] = {t[1], t[2], t[3]};
+  for (std::size_t p = 0; p < points; ++p) {
+    const auto at = [&](std::size_t i) { return others.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::sort(at(begins[p]), at(begins[p + 1]));
+    for (std::size_t i = begins[p]; i < begins[p + 1]; ++i)
+      tetrahedra[i] = {static_cast<mesh::Index>(p), others[i][0], others[i][1], others[i][2]};
+  }
+}
+
+bool is_finite(const mesh::Point& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+Site site_at(const mesh::Point& p) { return {p.x, p.y, p.z, 0}; }
+
+bool needs_long(std::size_t points, References references) {
+  constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max() / 4 / 8;
+  return references == References::long_ || (references == References::automatic && points > kMost);
+}
+
+}  // namespace
+
+Triangulation::Triangulation(std::span<const mesh::Point> points, const Options& options) {
+  core::expects(points.size() < std::numeric_limits<Index>::max() - 1,
+                "fewer than 2^32 - 2 points");
+  core::expects(std::all_of(points.begin(), points.end(), is_finite), "finite coordinates");
+  if (needs_long(points.size(), options.references))
+    builder_ = std::make_unique<Builder<std::uint64_t>>(points, options.seed, options.threads);
+  else
+    builder_ = std::make_unique<Builder<std::uint32_t>>(points, options.seed, options.threads);
+}
+
+Triangulation::Triangulation(Triangulation&&) noexcept = default;
+Triangulation& Triangulation::operator=(Triangulation&&) noexcept = default;
+Triangulation::~Triangulation() = default;
+
+int Triangulation::dimension() const noexcept {
+  return std::visit([](const auto& b) { return b->dimension(); }, builder_);
+}
+
+std::size_t Triangulation::points() const noexcept {
+  return std::visit([](const auto& b) { return b->points(); }, builder_);
+}
+
+std::size_t Triangulation::duplicates() const noexcept {
+  return std::visit([](const auto& b) { return b->duplicates(); }, builder_);
+}
+
+std::size_t Triangulation::bytes() const noexcept {
+  return std::visit([](const auto& b) { return b->bytes(); }, builder_);
+}
+
+std::size_t Triangulation::size() const {
+  std::size_t count = 0;
+  std::visit([&](const auto& b) { for_each_tetrahedron(*b, [&](const auto&) { ++count; }); },
+             builder_);
+  return count;
+}
+
+std::vector<Tetrahedron> Triangulation::tetrahedra() const {
+  std::vector<Tetrahedron> result;
+  result.reserve(size());
+  std::visit(
+      [&](const auto& b) {
+        for_each_tetrahedron(
+            *b, [&](const auto& cell) { result.push_back(in_order(with_points(*b, cell))); });
+      },
+      builder_);
+  sort(result, points());
+  return result;
+}
+
+std::optional<Tetrahedron> Triangulation::located(const mesh::Point& place) {
+  core::expects(dimension() == 3 && is_finite(place), "a place, and tetrahedra");
+  return std::visit(
+      [&](auto& b) -> std::optional<Tetrahedron> {
+        const auto& cell = b->cells()[b->inserter().located(site_at(place))];
+        if (cell.ghost() < 4) return std::nullopt;
+        return with_points(*b, cell);
+      },
+      builder_);
+}
+
+std::vector<Tetrahedron> Triangulation::star(Index point) {
+  core::expects(dimension() == 3 && point < points(), "a point, and tetrahedra");
+  return std::visit(
+      [&](auto& b) {
+        std::vector<Tetrahedron> result;
+        b->for_each_around(point, [&](const auto& cell, unsigned i) {
+          if (cell.ghost() == 4) result.push_back(beginning_with(with_points(*b, cell), i));
+        });
+        return result;
+      },
+      builder_);
+}
+
+Triangulation::Index Triangulation::insert(const mesh::Point& place) {
+  core::expects(is_finite(place), "finite coordinates");
+  return std::visit([&](auto& b) { return b->point_of(b->add(place)); }, builder_);
+}
+
+std::size_t Triangulation::refine(
+    const std::function<std::optional<mesh::Point>(const std::array<mesh::Point, 4>&)>& wish,
+    std::size_t most) {
+  core::expects(dimension() == 3, "tetrahedra");
+  return std::visit([&](auto& b) { return b->refine(wish, most); }, builder_);
+}
+
+}  // namespace hexatlas::delaunay
