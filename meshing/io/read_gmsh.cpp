@@ -83,6 +83,8 @@ class GmshReader {
       }
       expect(end_of(section));
     }
+    // Where cells are wanted, their lack tells.
+    if (builder_.wanted() == Wanted::points && !has_nodes_) scanner_.fail_cut("$Nodes");
   }
 
  private:

@@ -161,8 +161,8 @@ TEST(Malformed, Hexahedra) {
   const auto parse = io::parse_hexahedra;
   expect_all_refused(
       {
-          {obj, kObj, 0, "a file of format .obj cannot hold hexahedra"},
-          {off, kOff, 0, "a file of format .off cannot hold hexahedra"},
+          {obj, kObj, 0, "the format .obj is not one for hexahedra (known: .vtk .vtu .mesh .msh)"},
+          {off, kOff, 0, "the format .off is not one for hexahedra"},
           {medit, kMedit, 0, "contains no hexahedron"},
           {vtk, kVtkPoly, 0, "contains no hexahedron"},
           {medit, edit(kHexMedit, "Hexahedra 1\n1 2 3 4 5 6 7 8", "Tetrahedra 1\n1 2 3 4"), 15,
