@@ -90,7 +90,6 @@ class PlyReader {
       if (element.name == "vertex") return read_vertices(element);
       skip(element);
     }
-    scanner_.fail("there is no element vertex");
   }
 
  private:
@@ -113,7 +112,7 @@ class PlyReader {
     read_format(words);
     while (true) {
       next_line(words);
-      if (words[0] == "end_header") return;
+      if (words[0] == "end_header") break;
       if (words[0] == "comment" || words[0] == "obj_info") continue;
       if (words[0] == "element") {
         read_element(words);
@@ -123,6 +122,12 @@ class PlyReader {
         scanner_.fail("unknown keyword " + quoted(words[0]));
       }
     }
+    if (!has_vertices()) scanner_.fail("there is no element vertex");
+  }
+
+  [[nodiscard]] bool has_vertices() const {
+    return std::any_of(elements_.begin(), elements_.end(),
+                       [](const Element& each) { return each.name == "vertex"; });
   }
 
   void read_format(const Words& words) {
@@ -137,9 +142,7 @@ class PlyReader {
 
   void read_element(const Words& words) {
     if (words.size() != 3) scanner_.fail("an element has a name and a count");
-    const auto same_name = [&](const Element& each) { return each.name == words[1]; };
-    if (words[1] == "vertex" && std::any_of(elements_.begin(), elements_.end(), same_name))
-      scanner_.fail("second element vertex");
+    if (words[1] == "vertex" && has_vertices()) scanner_.fail("second element vertex");
     elements_.push_back({words[1], scanner_.to_integer(words[2]), scanner_.line(), {}});
     if (elements_.back().count < 0)
       scanner_.fail("count " + std::to_string(elements_.back().count) + " is negative");

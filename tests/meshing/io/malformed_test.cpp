@@ -9,11 +9,6 @@ using namespace hexatlas;
 using namespace hexatlas::io_tests;
 using enum FileFormat;
 
-const std::string kGarbage(
-    "\x7f"
-    "ELF\x02\x01\x00\x00\x9a\xff\n\x03\x00\xfe",
-    14);
-
 TEST(Malformed, EmptyBlankAndBinaryFiles) {
   for (const FileFormat format : {obj, off, vtk, vtu, medit, gmsh}) {
     expect_surfaces_refused({{format, "", 0, "is empty"}, {format, "\xEF\xBB\xBF", 0, "is empty"}});
