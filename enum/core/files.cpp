@@ -34,8 +34,11 @@ class Descriptor {
   int value_;
 };
 
-std::string read_all(int fd, const std::string& name) {
+/// `expected`: how many bytes there will be if nobody writes meanwhile; 0 if unknown.
+std::string read_all(int fd, const std::string& name, std::uint64_t expected = 0) {
+  if (expected > kMaxFileBytes) throw InvalidInput(name, "is larger than 4 GiB");
   std::string bytes;
+  bytes.reserve(expected);
   std::vector<char> buffer(std::size_t{1} << 16U);
   while (true) {
     const ssize_t got = ::read(fd, buffer.data(), buffer.size());
@@ -86,7 +89,13 @@ void expect_no_link(const std::string& path) {
     throw InvalidInput(path, "is a link to something that does not exist");
 }
 
-void replace_file(const std::filesystem::path& target, std::string_view bytes) {
+using Produce = std::function<void(const Sink&)>;
+
+void write_parts(int fd, const Produce& produce, const std::string& name) {
+  produce([&](std::string_view bytes) { write_all(fd, bytes, name); });
+}
+
+void replace_file(const std::filesystem::path& target, const Produce& produce) {
   const std::filesystem::path folder = folder_of(target);
   std::string temporary = (folder / ".hexatlas.XXXXXX").string();
   const Descriptor fd(::mkostemp(temporary.data(), O_CLOEXEC));
@@ -97,7 +106,7 @@ void replace_file(const std::filesystem::path& target, std::string_view bytes) {
     throw InvalidInput(target.string(), message);
   }
   try {
-    write_all(fd.get(), bytes, target.string());
+    write_parts(fd.get(), produce, target.string());
     if (::fchmod(fd.get(), mode_for(target)) != 0 || ::fsync(fd.get()) != 0)
       throw ResourceFailure(target.string() + ": cannot be written: " + system_message());
     if (::rename(temporary.c_str(), target.c_str()) != 0)
@@ -119,24 +128,29 @@ std::string read_file(const std::string& path) {
   if (::fstat(fd.get(), &status) != 0)
     throw InvalidInput(path, "cannot be read: " + system_message());
   if (S_ISDIR(status.st_mode)) throw InvalidInput(path, "is a directory");
-  return read_all(fd.get(), path);
+  const bool has_size = S_ISREG(status.st_mode) && status.st_size > 0;
+  return read_all(fd.get(), path, has_size ? static_cast<std::uint64_t>(status.st_size) : 0);
 }
 
 void write_file(const std::string& path, std::string_view bytes) {
-  if (path == "-") return write_all(STDOUT_FILENO, bytes, "standard output");
+  write_file_in_parts(path, [&](const Sink& sink) { sink(bytes); });
+}
+
+void write_file_in_parts(const std::string& path, const Produce& produce) {
+  if (path == "-") return write_parts(STDOUT_FILENO, produce, "standard output");
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) {
     expect_no_link(path);
-    return replace_file(path, bytes);
+    return replace_file(path, produce);
   }
   if (S_ISDIR(status.st_mode)) throw InvalidInput(path, "is a directory");
   if (S_ISREG(status.st_mode)) {
     if (!allows(path, W_OK)) throw InvalidInput(path, "cannot be written: " + system_message());
-    return replace_file(std::filesystem::canonical(path), bytes);
+    return replace_file(std::filesystem::canonical(path), produce);
   }
   const Descriptor fd(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (fd.get() < 0) throw InvalidInput(path, "cannot be opened: " + system_message());
-  write_all(fd.get(), bytes, path);
+  write_parts(fd.get(), produce, path);
 }
 
 void expect_writable(const std::string& path) {

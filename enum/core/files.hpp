@@ -3,6 +3,7 @@
 /// Whole files in, whole files out.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,14 @@ inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{4} << 30U;
 /// Throws InvalidInput if the file cannot be created (no such folder, no permission, a
 /// directory, a link to nothing), ResourceFailure if writing fails later (disk full).
 void write_file(const std::string& path, std::string_view bytes);
+
+/// Takes the next bytes of a file.
+using Sink = std::function<void(std::string_view)>;
+
+/// As write_file(), with the bytes that `produce` gives to its sink, in order: for files that need
+/// not lie in memory as a whole. What `produce` throws is passed on, and what was there is left;
+/// only what went to a device, a pipe or standard output by then is gone.
+void write_file_in_parts(const std::string& path, const std::function<void(const Sink&)>& produce);
 
 /// Tells before long work what would make it be in vain: that write_file(path, ...) cannot succeed
 /// as the file system stands. Writes nothing. That the file can be written later is not promised.

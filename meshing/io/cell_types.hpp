@@ -21,13 +21,14 @@ inline constexpr std::array<cells::CubeVertex, cells::kCubeVertices> kFileCorner
                                                                                  4, 5, 7, 6};
 
 enum class CellShape : std::uint8_t {
-  low,         ///< points and edges: ignored everywhere
-  quad,        ///< four corners in cyclic order
-  pixel,       ///< four corners, x + 2y
-  surface,     ///< any other cell of dimension 2
-  hexahedron,  ///< eight corners in the order of kFileCorner
-  voxel,       ///< eight corners, x + 2y + 4z
-  volume,      ///< any other cell of dimension 3
+  low,          ///< points and edges: ignored everywhere
+  quad,         ///< four corners in cyclic order
+  pixel,        ///< four corners, x + 2y
+  surface,      ///< any other cell of dimension 2
+  tetrahedron,  ///< four corners, right-handed if det(b - a, c - a, d - a) > 0, as here
+  hexahedron,   ///< eight corners in the order of kFileCorner
+  voxel,        ///< eight corners, x + 2y + 4z
+  volume,       ///< any other cell of dimension 3
 };
 
 struct CellType {
@@ -37,11 +38,21 @@ struct CellType {
 };
 
 inline constexpr CellType kQuad{"quad", CellShape::quad, 4};
+inline constexpr CellType kTetrahedron{"tetrahedron", CellShape::tetrahedron, 4};
 inline constexpr CellType kHexahedron{"hexahedron", CellShape::hexahedron, 8};
-inline constexpr int kVtkQuad = 9;
-inline constexpr int kVtkHexahedron = 12;
-inline constexpr int kGmshQuad = 3;
-inline constexpr int kGmshHexahedron = 5;
+
+/// What the formats call a type of cells that is written.
+struct FileCell {
+  CellType type;
+  int dimension;
+  int vtk;   ///< its number in VTK
+  int gmsh;  ///< its number in Gmsh
+  std::string_view medit;
+};
+
+inline constexpr FileCell kFileQuad{kQuad, 2, 9, 3, "Quadrilaterals"};
+inline constexpr FileCell kFileTetrahedron{kTetrahedron, 3, 10, 4, "Tetrahedra"};
+inline constexpr FileCell kFileHexahedron{kHexahedron, 3, 12, 5, "Hexahedra"};
 
 /// The cell type with this number in VTK or Gmsh; none if unknown.
 [[nodiscard]] std::optional<CellType> vtk_cell_type(std::int64_t number);

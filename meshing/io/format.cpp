@@ -5,21 +5,39 @@
 #include <string>
 
 #include "enum/core/errors.hpp"
+#include "meshing/io/hxtet.hpp"
 #include "meshing/io/scanner.hpp"
 
 namespace hexatlas::io {
 namespace {
 
-constexpr std::array kFormats{FileFormat::obj, FileFormat::off,   FileFormat::vtk,
-                              FileFormat::vtu, FileFormat::medit, FileFormat::gmsh};
+constexpr std::array kFormats{FileFormat::obj,   FileFormat::off,  FileFormat::vtk, FileFormat::vtu,
+                              FileFormat::medit, FileFormat::gmsh, FileFormat::xyz, FileFormat::raw,
+                              FileFormat::ply,   FileFormat::hxtet};
 
-std::string known_extensions() {
+/// "(known: .obj .off)" of the formats with this content, or of all.
+std::string known_extensions(std::optional<Content> content) {
   std::string list;
   for (const FileFormat format : kFormats) {
-    list += list.empty() ? "" : " ";
+    if (content && !holds(format, *content)) continue;
+    list += list.empty() ? "(known: " : " ";
     list += extension_of(format);
   }
-  return list;
+  return list + ")";
+}
+
+std::string name_of(Content content) {
+  switch (content) {
+    case Content::points:
+      return "points";
+    case Content::surface:
+      return "surfaces";
+    case Content::tetrahedra:
+      return "tetrahedra";
+    case Content::hexahedra:
+      return "hexahedra";
+  }
+  throw core::PreconditionViolated("name_of: the content is one of the enumerators");
 }
 
 std::string lower(std::string text) {
@@ -51,15 +69,46 @@ std::string_view extension_of(FileFormat format) {
       return ".mesh";
     case FileFormat::gmsh:
       return ".msh";
+    case FileFormat::xyz:
+      return ".xyz";
+    case FileFormat::raw:
+      return ".bin";
+    case FileFormat::ply:
+      return ".ply";
+    case FileFormat::hxtet:
+      return ".hxtet";
   }
   throw core::PreconditionViolated("extension_of: the format is one of the enumerators");
 }
 
-bool holds_hexahedra(FileFormat format) {
-  return format != FileFormat::obj && format != FileFormat::off;
+bool holds(FileFormat format, Content content) {
+  switch (format) {
+    case FileFormat::obj:
+    case FileFormat::off:
+      return content == Content::points || content == Content::surface;
+    case FileFormat::vtk:
+    case FileFormat::vtu:
+    case FileFormat::medit:
+    case FileFormat::gmsh:
+      return true;
+    case FileFormat::xyz:
+    case FileFormat::raw:
+    case FileFormat::ply:
+      return content == Content::points;
+    case FileFormat::hxtet:
+      return content == Content::points || content == Content::tetrahedra;
+  }
+  throw core::PreconditionViolated("holds: the format is one of the enumerators");
 }
 
-FileFormat format_of_path(const std::string& path) {
+void expect_holds(FileFormat format, Content content, const std::string& file) {
+  if (holds(format, content)) return;
+  throw core::InvalidInput(file, "the format " + std::string(extension_of(format)) +
+                                     " is not one for " + name_of(content) + " " +
+                                     known_extensions(content));
+}
+
+FileFormat format_of_path(const std::string& path, std::optional<Content> content) {
   const std::size_t slash = path.find_last_of('/');
   const std::size_t dot = path.find_last_of('.');
   if (dot != std::string::npos && (slash == std::string::npos || dot > slash)) {
@@ -67,25 +116,28 @@ FileFormat format_of_path(const std::string& path) {
     for (const FileFormat format : kFormats)
       if (extension == extension_of(format)) return format;
   }
-  throw core::InvalidInput(
-      path, "the extension names no known mesh format (known: " + known_extensions() + ")");
+  throw core::InvalidInput(path,
+                           "the extension names no known mesh format " + known_extensions(content));
 }
 
-FileFormat detect_format(std::string_view bytes, const std::string& file) {
+FileFormat detect_format(std::string_view bytes, const std::string& file,
+                         std::optional<Content> content) {
   const std::string_view text = without_byte_order_mark(bytes);
   if (text.empty()) throw core::InvalidInput(file, "is empty");
   if (text.starts_with("# vtk")) return FileFormat::vtk;
+  if (bytes.starts_with(kHxtetMagic)) return FileFormat::hxtet;
   Scanner scanner(text, file, '#');
   if (!scanner.at_end()) {
     const std::string_view first = scanner.word("a format");
+    if (first == "ply") return FileFormat::ply;
     if (first.starts_with("<")) return FileFormat::vtu;
     if (first.starts_with("$")) return FileFormat::gmsh;
     if (first.starts_with("MeshVersion")) return FileFormat::medit;
     if (first.ends_with("OFF")) return FileFormat::off;
     if (is_obj_keyword(first)) return FileFormat::obj;
+    if (is_number(first)) return FileFormat::xyz;
   }
-  throw core::InvalidInput(file,
-                           "begins like no known mesh format (known: " + known_extensions() + ")");
+  throw core::InvalidInput(file, "begins like no known mesh format " + known_extensions(content));
 }
 
 }  // namespace hexatlas::io

@@ -1,7 +1,6 @@
 #include "meshing/io/mesh_builder.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "enum/core/errors.hpp"
@@ -37,13 +36,15 @@ void MeshBuilder::reserve_cells(const CellType& type, std::size_t count) {
   if (wanted_ == Wanted::surface && type.shape == CellShape::quad) {
     quads_.reserve(quads_.size() + count);
     quad_line_.reserve(quad_line_.size() + count);
+  } else if (wanted_ == Wanted::tetrahedra && type.shape == CellShape::tetrahedron) {
+    tetrahedra_.reserve(tetrahedra_.size() + count);
   } else if (wanted_ == Wanted::hexahedra && type.shape == CellShape::hexahedron) {
     hexahedra_.reserve(hexahedra_.size() + count);
   }
 }
 
 void MeshBuilder::add_point(const mesh::Point& point, std::size_t line) {
-  if (points_.size() >= std::numeric_limits<Index>::max()) fail(line, "too many points");
+  if (points_.size() >= mesh::kMostPoints) fail(line, "too many points");
   points_.push_back(point);
 }
 
@@ -72,6 +73,11 @@ void MeshBuilder::check_kind(const CellType& type, std::size_t line) const {
       fail(line, name + "; every cell must be a hexahedron");
     return;
   }
+  if (wanted_ == Wanted::tetrahedra) {
+    if (type.shape != CellShape::tetrahedron)
+      fail(line, name + "; every cell must be a tetrahedron");
+    return;
+  }
   const bool quads_only = wanted_ == Wanted::surface;
   if (!is_a_facet(type))
     fail(line, name + "; this is a volume mesh, where a surface mesh of " +
@@ -87,7 +93,10 @@ void MeshBuilder::add_cell(const CellType& declared, std::span<const Index> vert
   const CellType type = declared.name == "polygon" ? polygon_type(vertices.size()) : declared;
   check_vertices(type, vertices, line);
   const bool is_quad = is_a_quad(type);
-  if (type.shape == CellShape::low || (is_a_facet(type) && wanted_ == Wanted::hexahedra)) return;
+  const bool wants_volumes = wanted_ == Wanted::tetrahedra || wanted_ == Wanted::hexahedra;
+  if (wanted_ == Wanted::points || type.shape == CellShape::low ||
+      (is_a_facet(type) && wants_volumes))
+    return;
   check_kind(type, line);
   check_distinct(type, vertices, line);
 
@@ -108,16 +117,24 @@ void MeshBuilder::add_cell(const CellType& declared, std::span<const Index> vert
         {{vertices[0], vertices[1], vertices[2], 0}, 3, static_cast<std::uint32_t>(line)});
     return;
   }
+  if (type.shape == CellShape::tetrahedron) {
+    tetrahedra_.push_back({vertices[0], vertices[1], vertices[2], vertices[3]});
+    return;
+  }
   std::array<Index, 8>& hexahedron = hexahedra_.emplace_back();
   for (std::size_t i = 0; i < hexahedron.size(); ++i)
     hexahedron[type.shape == CellShape::voxel ? i : kFileCorner[i]] = vertices[i];
 }
 
-void MeshBuilder::check_complete(bool has_cells, const char* cell) const {
+void MeshBuilder::check_indices() const {
   if (index_bound_ > points_.size())
     fail(index_bound_line_,
          "index " + std::to_string(index_bound_ - 1 + static_cast<std::uint64_t>(index_base_)) +
              " is too large: there are " + std::to_string(points_.size()) + " points");
+}
+
+void MeshBuilder::check_complete(bool has_cells, const char* cell) const {
+  check_indices();
   if (!has_cells) fail(0, std::string("contains no ") + cell);
 }
 
@@ -129,6 +146,16 @@ mesh::SurfaceMesh MeshBuilder::take_surface() {
 mesh::FacetMesh MeshBuilder::take_facets() {
   check_complete(!facets_.empty(), "facet");
   return {std::move(points_), std::move(facets_)};
+}
+
+mesh::TetMesh MeshBuilder::take_tetrahedra() {
+  check_complete(!tetrahedra_.empty(), "tetrahedron");
+  return {std::move(points_), std::move(tetrahedra_)};
+}
+
+std::vector<mesh::Point> MeshBuilder::take_points() {
+  check_indices();
+  return std::move(points_);
 }
 
 mesh::HexMesh MeshBuilder::take_hexahedra() {

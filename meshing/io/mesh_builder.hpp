@@ -18,7 +18,7 @@
 
 namespace hexatlas::io {
 
-enum class Wanted : std::uint8_t { surface, facets, hexahedra };
+enum class Wanted : std::uint8_t { points, surface, facets, tetrahedra, hexahedra };
 
 class MeshBuilder {
  public:
@@ -40,7 +40,11 @@ class MeshBuilder {
   /// The mesh. Fails if an index is above the last point, or if there is no cell.
   [[nodiscard]] mesh::SurfaceMesh take_surface();
   [[nodiscard]] mesh::FacetMesh take_facets();
+  [[nodiscard]] mesh::TetMesh take_tetrahedra();
   [[nodiscard]] mesh::HexMesh take_hexahedra();
+
+  /// The points, also if there are none.
+  [[nodiscard]] std::vector<mesh::Point> take_points();
 
  private:
   [[noreturn]] void fail(std::size_t line, const std::string& reason) const;
@@ -49,6 +53,7 @@ class MeshBuilder {
   void check_distinct(const CellType& type, std::span<const mesh::Index> vertices,
                       std::size_t line) const;
   void check_kind(const CellType& type, std::size_t line) const;
+  void check_indices() const;
   void check_complete(bool has_cells, const char* cell) const;
 
   Wanted wanted_;
@@ -58,6 +63,7 @@ class MeshBuilder {
   std::vector<std::array<mesh::Index, 4>> quads_;
   std::vector<std::uint32_t> quad_line_;
   std::vector<mesh::Facet> facets_;
+  std::vector<std::array<mesh::Index, 4>> tetrahedra_;
   std::vector<std::array<mesh::Index, 8>> hexahedra_;
   std::uint64_t index_bound_ = 0;     ///< least number of points that the cells seen need
   std::size_t index_bound_line_ = 0;  ///< the line that needs them

@@ -1,115 +1,94 @@
 #include "meshing/io/mesh_files.hpp"
 
-#include <algorithm>
-#include <cmath>
-
-#include "enum/core/checks.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
-#include "meshing/io/cell_types.hpp"
 #include "meshing/io/mesh_builder.hpp"
 #include "meshing/io/readers.hpp"
 #include "meshing/io/scanner.hpp"
-#include "meshing/io/writers.hpp"
 
 namespace hexatlas::io {
 namespace {
-
-using mesh::Index;
 
 bool counts_from_one(FileFormat format) {
   return format == FileFormat::obj || format == FileFormat::medit || format == FileFormat::gmsh;
 }
 
-MeshBuilder parse(std::string_view bytes, FileFormat format, const std::string& file,
-                  Wanted wanted) {
-  const std::string_view text = without_byte_order_mark(bytes);
-  if (text.empty()) throw core::InvalidInput(file, "is empty");
-  MeshBuilder builder(wanted, file, counts_from_one(format) ? 1 : 0);
+/// A byte order mark may precede text; elsewhere the same bytes are data.
+bool is_text(FileFormat format) { return format != FileFormat::raw && format != FileFormat::hxtet; }
+
+Content content_of(Wanted wanted) {
+  switch (wanted) {
+    case Wanted::points:
+      return Content::points;
+    case Wanted::surface:
+    case Wanted::facets:
+      return Content::surface;
+    case Wanted::tetrahedra:
+      return Content::tetrahedra;
+    case Wanted::hexahedra:
+      return Content::hexahedra;
+  }
+  throw core::PreconditionViolated("content_of: the argument is one of the enumerators");
+}
+
+void read(std::string_view text, FileFormat format, MeshBuilder& builder) {
   switch (format) {
     case FileFormat::obj:
-      read_obj(text, builder);
-      break;
+      return read_obj(text, builder);
     case FileFormat::off:
-      read_off(text, builder);
-      break;
+      return read_off(text, builder);
     case FileFormat::vtk:
-      read_vtk(text, builder);
-      break;
+      return read_vtk(text, builder);
     case FileFormat::vtu:
-      read_vtu(text, builder);
-      break;
+      return read_vtu(text, builder);
     case FileFormat::medit:
-      read_medit(text, builder);
-      break;
+      return read_medit(text, builder);
     case FileFormat::gmsh:
-      read_gmsh(text, builder);
-      break;
+      return read_gmsh(text, builder);
+    case FileFormat::xyz:
+      return read_xyz(text, builder);
+    case FileFormat::raw:
+      return read_raw(text, builder);
+    case FileFormat::ply:
+      return read_ply(text, builder);
+    case FileFormat::hxtet:
+      return read_hxtet(text, builder);
   }
+  throw core::PreconditionViolated("read: the format is one of the enumerators");
+}
+
+MeshBuilder parse(std::string_view bytes, FileFormat format, const std::string& file,
+                  Wanted wanted) {
+  expect_holds(format, content_of(wanted), file);
+  const std::string_view text = is_text(format) ? without_byte_order_mark(bytes) : bytes;
+  // A list without header and without points is empty; the other formats have a header.
+  const bool may_be_empty = format == FileFormat::xyz || format == FileFormat::raw;
+  if (text.empty() && !may_be_empty) throw core::InvalidInput(file, "is empty");
+  MeshBuilder builder(wanted, file, counts_from_one(format) ? 1 : 0);
+  read(text, format, builder);
   return builder;
 }
 
-struct NamedBytes {
-  std::string bytes;
-  std::string file;
-  FileFormat format;
-};
-
-NamedBytes load(const std::string& path, std::optional<FileFormat> format) {
+/// What the file at `path` has.
+MeshBuilder load(const std::string& path, std::optional<FileFormat> format, Wanted wanted) {
+  const Content content = content_of(wanted);
   if (path != "-") {
     // The name is judged first: it costs nothing.
-    const FileFormat known = format ? *format : format_of_path(path);
-    return {core::read_file(path), path, known};
+    const FileFormat known = format ? *format : format_of_path(path, content);
+    expect_holds(known, content, path);
+    return parse(core::read_file(path), known, path, wanted);
   }
-  std::string bytes = core::read_file(path);
+  const std::string bytes = core::read_file(path);
   const std::string file = "standard input";
-  const FileFormat known = format ? *format : detect_format(bytes, file);
-  return {std::move(bytes), file, known};
-}
-
-template <class Cells>
-void check_cells(const Cells& cells, std::size_t points) {
-  for (const auto& cell : cells)
-    for (const Index index : cell)
-      core::expects(index < points, "to_text: indices are below points.size()");
-}
-
-std::string write(const CellsToWrite& cells, FileFormat format, GmshVersion gmsh) {
-  for (const mesh::Point& point : cells.points)
-    core::expects(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z),
-                  "to_text: coordinates are finite");
-  check_cells(cells.quads, cells.points.size());
-  check_cells(cells.hexahedra, cells.points.size());
-  switch (format) {
-    case FileFormat::obj:
-      return write_obj(cells);
-    case FileFormat::off:
-      return write_off(cells);
-    case FileFormat::vtk:
-      return write_vtk(cells);
-    case FileFormat::vtu:
-      return write_vtu(cells);
-    case FileFormat::medit:
-      return write_medit(cells);
-    case FileFormat::gmsh:
-      return write_gmsh(cells, gmsh);
-  }
-  throw core::PreconditionViolated("to_text: the format is one of the enumerators");
-}
-
-std::string refusal(FileFormat format) {
-  return "a file of format " + std::string(extension_of(format)) + " cannot hold hexahedra";
-}
-
-FileFormat format_to_write(const std::string& path, std::optional<FileFormat> format) {
-  if (path == "-" && !format)
-    throw core::InvalidInput("standard output", "a format is needed, since there is no extension");
-  const FileFormat known = format ? *format : format_of_path(path);
-  if (!holds_hexahedra(known)) throw core::InvalidInput(path, refusal(known));
-  return known;
+  return parse(bytes, format ? *format : detect_format(bytes, file, content), file, wanted);
 }
 
 }  // namespace
+
+std::vector<mesh::Point> parse_points(std::string_view bytes, FileFormat format,
+                                      const std::string& file) {
+  return parse(bytes, format, file, Wanted::points).take_points();
+}
 
 mesh::SurfaceMesh parse_surface(std::string_view bytes, FileFormat format,
                                 const std::string& file) {
@@ -120,53 +99,32 @@ mesh::FacetMesh parse_facets(std::string_view bytes, FileFormat format, const st
   return parse(bytes, format, file, Wanted::facets).take_facets();
 }
 
+mesh::TetMesh parse_tetrahedra(std::string_view bytes, FileFormat format, const std::string& file) {
+  return parse(bytes, format, file, Wanted::tetrahedra).take_tetrahedra();
+}
+
 mesh::HexMesh parse_hexahedra(std::string_view bytes, FileFormat format, const std::string& file) {
-  if (!holds_hexahedra(format)) throw core::InvalidInput(file, refusal(format));
   return parse(bytes, format, file, Wanted::hexahedra).take_hexahedra();
 }
 
+std::vector<mesh::Point> read_points(const std::string& path, std::optional<FileFormat> format) {
+  return load(path, format, Wanted::points).take_points();
+}
+
 mesh::SurfaceMesh read_surface(const std::string& path, std::optional<FileFormat> format) {
-  const NamedBytes input = load(path, format);
-  return parse_surface(input.bytes, input.format, input.file);
+  return load(path, format, Wanted::surface).take_surface();
 }
 
 mesh::FacetMesh read_facets(const std::string& path, std::optional<FileFormat> format) {
-  const NamedBytes input = load(path, format);
-  return parse_facets(input.bytes, input.format, input.file);
+  return load(path, format, Wanted::facets).take_facets();
+}
+
+mesh::TetMesh read_tetrahedra(const std::string& path, std::optional<FileFormat> format) {
+  return load(path, format, Wanted::tetrahedra).take_tetrahedra();
 }
 
 mesh::HexMesh read_hexahedra(const std::string& path, std::optional<FileFormat> format) {
-  const NamedBytes input = load(path, format);
-  return parse_hexahedra(input.bytes, input.format, input.file);
-}
-
-std::string to_text(const mesh::HexMesh& mesh, FileFormat format, const WriteOptions& options) {
-  core::expects(holds_hexahedra(format), "to_text: the format holds hexahedra");
-  std::vector<std::array<Index, 8>> hexahedra;
-  hexahedra.reserve(mesh.hexahedra.size());
-  for (const auto& hexahedron : mesh.hexahedra) {
-    auto& ordered = hexahedra.emplace_back();
-    std::transform(kFileCorner.begin(), kFileCorner.end(), ordered.begin(),
-                   [&](cells::CubeVertex corner) { return hexahedron[corner]; });
-  }
-  const bool has_single_list = format == FileFormat::vtk || format == FileFormat::vtu;
-  CellsToWrite cells{mesh.points, {}, hexahedra};
-  if (!has_single_list) cells.quads = options.boundary;
-  return write(cells, format, options.gmsh);
-}
-
-std::string to_text(const mesh::SurfaceMesh& mesh, FileFormat format, GmshVersion gmsh) {
-  return write({mesh.points, mesh.quads, {}}, format, gmsh);
-}
-
-void expect_hexahedra_writable(const std::string& path, std::optional<FileFormat> format) {
-  (void)format_to_write(path, format);
-  if (path != "-") core::expect_writable(path);
-}
-
-void write_hexahedra(const std::string& path, const mesh::HexMesh& mesh,
-                     std::optional<FileFormat> format, const WriteOptions& options) {
-  core::write_file(path, to_text(mesh, format_to_write(path, format), options));
+  return load(path, format, Wanted::hexahedra).take_hexahedra();
 }
 
 }  // namespace hexatlas::io

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Reading and writing of meshes. The functions that parse and print are pure, from bytes to
-/// a mesh and back; the functions that take a path add nothing but the file.
+/// Reading and writing of meshes and of sets of points. The functions that parse and print are
+/// pure, from bytes to a mesh and back; the functions that take a path add nothing but the file.
 ///
 /// Definition. Points keep the order of the file and are never merged or dropped, so indices of
 /// the mesh are those of the file, less 1 where the file counts from 1; in Gmsh files, whose
@@ -11,22 +11,28 @@
 /// hexahedron is converted (cell_types.hpp); orientation is not changed.
 ///
 /// A surface file consists of quads, a file of facets of triangles and quads; points and edges
-/// among them are ignored. A hexahedral file consists of hexahedra; cells of lower dimension are
-/// ignored. Attributes are ignored.
+/// among them are ignored. A hexahedral file consists of hexahedra, a tetrahedral one of
+/// tetrahedra; cells of lower dimension are ignored. Of a file of points any cells are ignored, and
+/// there need be none. Attributes are ignored.
 ///
 /// Errors: InvalidInput with the line for each defect: other cells, files that are cut or
 /// contradict themselves, indices outside the list of points, a vertex twice in a cell, numbers
 /// that are not finite or underflow or overflow in double precision, unknown sections and versions,
-/// no cell at all. In binary parts the line is that of the array, or unknown.
+/// no cell at all; where points are read, no list of them, though one of no points will do. In
+/// binary parts the line is that of the array, or unknown; lists of points say which point is not
+/// finite. A format that has no such content is refused before the file is opened.
 ///
 /// Cost: linear in the file (Gmsh with sparse tags: n log n); memory within a small factor of the
 /// file, since counts are compared with the bytes left before anything is allocated, and
-/// compressed arrays with the largest ratio that zlib can reach.
+/// compressed arrays with the largest ratio that zlib can reach. Of points in .bin: the file and
+/// the points. Writing to a path takes no memory for the file, only for what is in other order
+/// there (hexahedra) and for compressed arrays (.vtu with hexahedra).
 ///
 /// Not promised: that the surface is closed, oriented or manifold; that cells have positive
-/// volume. A cut is noticed except in .obj, which has no counts, and except within the digits of
-/// the last number of a file that has no end mark (.off, .vtk): a missing last end of line is
-/// legal.
+/// volume; that points are distinct. A cut is noticed except in .obj and .xyz, which have no
+/// counts, and in .bin at the end of a point; and except within the digits of the last number of a
+/// file that has no end mark (.off, .vtk): a missing last end of line is legal. Where points are
+/// read, what follows them in .ply is not looked at.
 
 #include <array>
 #include <optional>
@@ -39,6 +45,11 @@
 
 namespace hexatlas::io {
 
+/// The points in these bytes, at most mesh::kMostPoints; `file` is the name used in messages.
+/// Formats: all; .xyz and .bin are described in docs/formats/points.md.
+[[nodiscard]] std::vector<mesh::Point> parse_points(std::string_view bytes, FileFormat format,
+                                                    const std::string& file);
+
 /// The quads in these bytes; `file` is the name used in messages. Each quad has its line, 0 in
 /// binary files.
 [[nodiscard]] mesh::SurfaceMesh parse_surface(std::string_view bytes, FileFormat format,
@@ -48,16 +59,24 @@ namespace hexatlas::io {
 [[nodiscard]] mesh::FacetMesh parse_facets(std::string_view bytes, FileFormat format,
                                            const std::string& file);
 
-/// The hexahedra in these bytes. InvalidInput if the format cannot hold any.
+/// The tetrahedra in these bytes (.vtk .vtu .mesh .msh .hxtet).
+[[nodiscard]] mesh::TetMesh parse_tetrahedra(std::string_view bytes, FileFormat format,
+                                             const std::string& file);
+
+/// The hexahedra in these bytes (.vtk .vtu .mesh .msh).
 [[nodiscard]] mesh::HexMesh parse_hexahedra(std::string_view bytes, FileFormat format,
                                             const std::string& file);
 
 /// The file at `path` ("-": standard input). The format is that of the extension unless given;
-/// for standard input, that of the first bytes.
+/// for standard input, that of the first bytes, which .bin does not announce.
+[[nodiscard]] std::vector<mesh::Point> read_points(const std::string& path,
+                                                   std::optional<FileFormat> format = {});
 [[nodiscard]] mesh::SurfaceMesh read_surface(const std::string& path,
                                              std::optional<FileFormat> format = {});
 [[nodiscard]] mesh::FacetMesh read_facets(const std::string& path,
                                           std::optional<FileFormat> format = {});
+[[nodiscard]] mesh::TetMesh read_tetrahedra(const std::string& path,
+                                            std::optional<FileFormat> format = {});
 [[nodiscard]] mesh::HexMesh read_hexahedra(const std::string& path,
                                            std::optional<FileFormat> format = {});
 
@@ -75,9 +94,16 @@ struct WriteOptions {
 [[nodiscard]] std::string to_text(const mesh::HexMesh& mesh, FileFormat format,
                                   const WriteOptions& options = {});
 
-/// Requires: finite coordinates, indices below points.size(). quad_line is not read.
+/// Requires: a format that holds surfaces, finite coordinates, indices below points.size().
+/// quad_line is not read.
 [[nodiscard]] std::string to_text(const mesh::SurfaceMesh& mesh, FileFormat format,
                                   GmshVersion gmsh = GmshVersion::v4_1);
+
+/// The file as bytes: in .vtu, raw and uncompressed; in .msh, version 4.1; in .hxtet, as
+/// docs/formats/hxtet.md says. The same mesh gives the same bytes. No tetrahedra at all can be
+/// written, though not be read again.
+/// Requires: a format that holds tetrahedra, finite coordinates, indices below points.size().
+[[nodiscard]] std::string to_text(const mesh::TetView& mesh, FileFormat format);
 
 /// Tells before long work what would make it be in vain: that write_hexahedra() would throw
 /// InvalidInput as the file system stands. Writes nothing.
@@ -88,5 +114,10 @@ void expect_hexahedra_writable(const std::string& path, std::optional<FileFormat
 /// ResourceFailure (disk full).
 void write_hexahedra(const std::string& path, const mesh::HexMesh& mesh,
                      std::optional<FileFormat> format = {}, const WriteOptions& options = {});
+
+/// The same for tetrahedra, as to_text() has them.
+void expect_tetrahedra_writable(const std::string& path, std::optional<FileFormat> format = {});
+void write_tetrahedra(const std::string& path, const mesh::TetView& mesh,
+                      std::optional<FileFormat> format = {});
 
 }  // namespace hexatlas::io

@@ -44,6 +44,11 @@ class NodeTags {
 
   /// The position of the node with this tag; null if there is none.
   [[nodiscard]] const mesh::Index* find(std::int64_t tag) const {
+    // Most programs count without gaps.
+    if (!nodes_.empty() && tag >= nodes_[0].tag) {
+      const auto guess = static_cast<std::uint64_t>(tag - nodes_[0].tag);
+      if (guess < nodes_.size() && nodes_[guess].tag == tag) return &nodes_[guess].position;
+    }
     const auto found =
         std::lower_bound(nodes_.begin(), nodes_.end(), tag,
                          [](const Node& node, std::int64_t wanted) { return node.tag < wanted; });
@@ -83,6 +88,8 @@ class GmshReader {
       }
       expect(end_of(section));
     }
+    // Where cells are wanted, their lack tells.
+    if (builder_.wanted() == Wanted::points && !has_nodes_) scanner_.fail_cut("$Nodes");
   }
 
  private:

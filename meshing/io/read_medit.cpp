@@ -20,10 +20,10 @@ struct CellSection {
 constexpr std::array kCellSections{
     CellSection{"Edges", {"edge", CellShape::low, 2}},
     CellSection{"Triangles", {"triangle", CellShape::surface, 3}},
-    CellSection{"Quadrilaterals", kQuad},
+    CellSection{kFileQuad.medit, kQuad},
     CellSection{"Quads", kQuad},
-    CellSection{"Tetrahedra", {"tetrahedron", CellShape::volume, 4}},
-    CellSection{"Hexahedra", kHexahedron},
+    CellSection{kFileTetrahedron.medit, kTetrahedron},
+    CellSection{kFileHexahedron.medit, kHexahedron},
     CellSection{"Prisms", {"prism", CellShape::volume, 6}},
     CellSection{"Pyramids", {"pyramid", CellShape::volume, 5}},
 };
@@ -142,6 +142,8 @@ void read_medit(std::string_view bytes, MeshBuilder& builder) {
     }
   }
   if (!scanner.at_end()) scanner.fail("text after the keyword End");
+  if (builder.wanted() == Wanted::points && !seen.contains("Vertices"))
+    scanner.fail("there is no section Vertices");
 }
 
 }  // namespace hexatlas::io

@@ -48,6 +48,8 @@ class VtkReader {
       read_section(keyword);
     }
     if (cells_ && !types_read_) scanner_.fail_cut("CELL_TYPES");
+    // Where cells are wanted, their lack or their indices tell.
+    if (builder_.wanted() == Wanted::points && !points_read_) scanner_.fail_cut("POINTS");
   }
 
  private:

@@ -282,6 +282,8 @@ class VtuReader {
     const std::size_t cells = count_attribute(piece, "NumberOfCells");
     const std::size_t first_point = builder_.point_count();
     read_points(child(piece, "Points"), points);
+    // A piece of points alone may go without the element.
+    if (builder_.wanted() == Wanted::points && cells == 0 && !piece.child("Cells")) return;
     read_cells(child(piece, "Cells"), cells, first_point, points);
   }
 

@@ -48,6 +48,11 @@ std::string quoted(std::string_view word) {
   return "'" + text + (word.size() > kLongest ? "...'" : "'");
 }
 
+bool is_number(std::string_view word) {
+  double value = 0;
+  return convert(word, value) == std::errc{};
+}
+
 Scanner::Scanner(std::string_view bytes, std::string file, char comment, std::size_t first_line)
     : bytes_(bytes),
       file_(std::move(file)),

@@ -23,6 +23,9 @@ namespace hexatlas::io {
 /// The word in quotes for a message: at most 40 bytes, each printable.
 [[nodiscard]] std::string quoted(std::string_view word);
 
+/// Whether the word is a number, finite or not.
+[[nodiscard]] bool is_number(std::string_view word);
+
 class Scanner {
  public:
   /// `comment`: the character that starts a comment reaching to the end of its line; 0 for none.

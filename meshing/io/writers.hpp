@@ -1,32 +1,72 @@
 #pragma once
 /// \file
-/// One writer per format, behind to_text (mesh_files.hpp, which states what they promise and
-/// require). All write the same thing: points, quads, hexahedra, the latter in the file's order of
-/// corners.
+/// One writer per format, behind to_text and write_hexahedra (mesh_files.hpp, which states what
+/// they promise and require). All write the same thing: points, then lists of cells, each of one
+/// type and with the file's order of corners.
 
 #include <array>
 #include <span>
-#include <string>
+#include <type_traits>
 #include <vector>
 
+#include "meshing/io/cell_types.hpp"
 #include "meshing/io/mesh_files.hpp"
+#include "meshing/io/output.hpp"
 #include "meshing/mesh/mesh.hpp"
 
 namespace hexatlas::io {
 
-struct CellsToWrite {
-  std::span<const mesh::Point> points;
-  std::span<const std::array<mesh::Index, 4>> quads;
-  std::span<const std::array<mesh::Index, 8>> hexahedra;  ///< in the file's order
+/// Cells of one type; not empty.
+class CellList {
+ public:
+  template <std::size_t N>
+  CellList(const FileCell& cell, std::span<const std::array<mesh::Index, N>> cells)
+      : type(cell), corners_(cells.front().data(), N * cells.size()) {
+    static_assert(sizeof(cells.front()) == N * sizeof(mesh::Index));
+  }
+
+  FileCell type;
+
+  [[nodiscard]] std::size_t size() const { return corners_.size() / corners_each(); }
+  [[nodiscard]] std::size_t corners_each() const {
+    return static_cast<std::size_t>(type.type.vertices);
+  }
+  [[nodiscard]] std::span<const mesh::Index> operator[](std::size_t i) const {
+    return corners_.subspan(i * corners_each(), corners_each());
+  }
+  [[nodiscard]] std::span<const mesh::Index> all_corners() const { return corners_; }
+
+ private:
+  std::span<const mesh::Index> corners_;
 };
 
-/// Requires: no hexahedra.
-[[nodiscard]] std::string write_obj(const CellsToWrite& cells);
-[[nodiscard]] std::string write_off(const CellsToWrite& cells);
+struct CellsToWrite {
+  std::span<const mesh::Point> points;
+  std::vector<CellList> lists;
 
-[[nodiscard]] std::string write_medit(const CellsToWrite& cells);
-[[nodiscard]] std::string write_vtk(const CellsToWrite& cells);
-[[nodiscard]] std::string write_vtu(const CellsToWrite& cells);
-[[nodiscard]] std::string write_gmsh(const CellsToWrite& cells, GmshVersion version);
+  template <std::size_t N>
+  void add(const FileCell& type, std::span<const std::array<mesh::Index, N>> cells) {
+    if (!cells.empty()) lists.emplace_back(type, cells);
+  }
+  [[nodiscard]] std::size_t cell_count() const;
+};
+
+/// How the arrays of a .vtu file are written: small, or fast.
+enum class VtuArrays : std::uint8_t {
+  zlib_base64,   ///< compressed, in base64
+  appended_raw,  ///< as they are, after the XML part
+};
+
+/// Requires: quads only.
+void write_obj(const CellsToWrite& cells, Output& out);
+void write_off(const CellsToWrite& cells, Output& out);
+
+void write_medit(const CellsToWrite& cells, Output& out);
+void write_vtk(const CellsToWrite& cells, Output& out);
+void write_vtu(const CellsToWrite& cells, VtuArrays arrays, Output& out);
+void write_gmsh(const CellsToWrite& cells, GmshVersion version, Output& out);
+
+/// Requires: tetrahedra only.
+void write_hxtet(const CellsToWrite& cells, Output& out);
 
 }  // namespace hexatlas::io

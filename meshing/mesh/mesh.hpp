@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hexatlas::mesh {
@@ -15,6 +16,9 @@ struct Point {
 };
 
 using Index = std::uint32_t;  ///< of a point, from 0
+
+/// Readers refuse more; the two largest values of Index name no point.
+inline constexpr std::uint64_t kMostPoints = 0xFFFF'FFFE;
 
 /// Quads as read from a file: any orientation, any topology, each index below points.size().
 struct SurfaceMesh {
@@ -40,6 +44,19 @@ struct FacetMesh {
 struct HexMesh {
   std::vector<Point> points;
   std::vector<std::array<Index, 8>> hexahedra;
+};
+
+/// Tetrahedra (a, b, c, d); right-handed ones have det(b - a, c - a, d - a) > 0. Whether they are,
+/// say those who make them.
+struct TetMesh {
+  std::vector<Point> points;
+  std::vector<std::array<Index, 4>> tetrahedra;
+};
+
+/// The same, kept elsewhere.
+struct TetView {
+  std::span<const Point> points;
+  std::span<const std::array<Index, 4>> tetrahedra;
 };
 
 }  // namespace hexatlas::mesh

@@ -1,9 +1,13 @@
 #pragma once
 /// \file
 /// The law that a reader must obey on arbitrary bytes: it refuses them with InvalidInput, or its
-/// mesh, written in the same format and read again, is the same bit for bit. Used by the libFuzzer
-/// targets and by the test that replays their corpus and findings.
+/// mesh, written in the same format and read again, is the same bit for bit; the points of a mesh
+/// are those that the reader of points finds, and are finite; what is read from .hxtet has no other
+/// bytes. Used by the libFuzzer targets, by the test that replays their corpus and findings, and by
+/// the test of mutations.
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -18,21 +22,29 @@ namespace hexatlas::fuzz {
 struct Outcome {
   bool is_surface = false;
   bool is_hexahedral = false;
+  bool is_tetrahedral = false;
+  bool has_points = false;
 };
 
-/// Throws std::logic_error, which nothing catches, if the law is broken.
+/// Throws std::logic_error, which nothing catches, if the law is broken. `points`: those found by
+/// the reader of points, if it found any.
 template <class Parse>
-bool obeys_round_trip(std::string_view bytes, io::FileFormat format, const Parse& parse) {
+bool obeys_round_trip(std::string_view bytes, io::FileFormat format,
+                      const std::optional<std::vector<mesh::Point>>& points, const Parse& parse) {
   auto mesh = parse(bytes);
   if (!mesh) return false;
+  if (!points || !io_tests::same(*points, mesh->points)) throw std::logic_error("other points");
   for (const io::GmshVersion version : {io::GmshVersion::v2_2, io::GmshVersion::v4_1}) {
     std::string text;
     if constexpr (requires { mesh->quads; })
       text = io::to_text(*mesh, format, version);
+    else if constexpr (requires { mesh->tetrahedra; })
+      text = io::to_text(mesh::TetView{mesh->points, mesh->tetrahedra}, format);
     else
       text = io::to_text(*mesh, format, io::WriteOptions{version, {}});
     const auto again = parse(text);
     if (!again || !io_tests::same(*again, *mesh)) throw std::logic_error("round trip: " + text);
+    if (format == io::FileFormat::hxtet && text != bytes) throw std::logic_error("other bytes");
     if (format != io::FileFormat::gmsh) break;
   }
   return true;
@@ -51,14 +63,20 @@ inline Outcome check_bytes(std::string_view bytes, io::FileFormat format) {
       }
     };
   };
-  Outcome outcome;
-  outcome.is_surface = obeys_round_trip(bytes, format, refusable([&](std::string_view text) {
-                                          return io::parse_surface(text, format, "input");
-                                        }));
-  outcome.is_hexahedral = obeys_round_trip(bytes, format, refusable([&](std::string_view text) {
-                                             return io::parse_hexahedra(text, format, "input");
-                                           }));
-  return outcome;
+  const auto points = refusable(
+      [&](std::string_view text) { return io::parse_points(text, format, "input"); })(bytes);
+  const auto is_finite = [](const mesh::Point& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  };
+  if (points && !std::all_of(points->begin(), points->end(), is_finite))
+    throw std::logic_error("a point is not finite");
+  const auto obeys = [&](auto&& read) {
+    return obeys_round_trip(bytes, format, points, refusable([&, read](std::string_view text) {
+                              return read(text, format, "input");
+                            }));
+  };
+  return {obeys(io::parse_surface), obeys(io::parse_hexahedra), obeys(io::parse_tetrahedra),
+          points.has_value()};
 }
 
 }  // namespace hexatlas::fuzz

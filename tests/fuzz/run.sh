@@ -8,7 +8,7 @@ build=${1:?usage: run.sh BUILD_DIRECTORY [RUNS_PER_TARGET] [SEED]}
 runs=${2:-1200000}
 seed=${3:-1}
 here=$(cd "$(dirname "$0")" && pwd)
-for format in obj off vtk vtu medit gmsh code judge table; do
+for format in obj off vtk vtu medit gmsh xyz raw ply hxtet code judge table; do
   target=$(find "$build" -type f -name "fuzz_$format" -perm -u+x | head -n 1)
   [ -n "$target" ] || { echo "run.sh: fuzz_$format is not built in $build" >&2; exit 1; }
   mkdir -p "$build/fuzz-corpus/$format" "$build/fuzz-findings"

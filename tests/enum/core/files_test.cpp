@@ -81,6 +81,44 @@ TEST_F(Files, AreWrittenWholeAndReadBack) {
   EXPECT_EQ(entries(), 1) << "a temporary file was left";
 }
 
+TEST_F(Files, AreWrittenInParts) {
+  std::string expected;
+  core::write_file_in_parts(path("a"), [&](const core::Sink& sink) {
+    for (const std::size_t size : {1, 0, 300'000, 7, 65'536}) {
+      const std::string part(size, static_cast<char>('a' + size % 26));
+      sink(part);
+      expected += part;
+      EXPECT_FALSE(fs::exists(path("a"))) << "a part of the file can be seen";
+    }
+  });
+  EXPECT_TRUE(content(path("a")) == expected);
+  core::write_file_in_parts(path("a"), [](const core::Sink&) {});
+  EXPECT_EQ(content(path("a")), "");
+  EXPECT_EQ(entries(), 1) << "a temporary file was left";
+}
+
+TEST_F(Files, WhatWasThereStaysIfAPartIsMissing) {
+  core::write_file(path("a"), "old");
+  const auto fail = [](const core::Sink& sink) {
+    sink("new");
+    throw InvalidInput("f", "no more");
+  };
+  for (const char* name : {"a", "b"})
+    EXPECT_EQ(message_of<InvalidInput>([&] { core::write_file_in_parts(path(name), fail); }),
+              "f: no more");
+  EXPECT_EQ(content(path("a")), "old");
+  EXPECT_EQ(entries(), 1) << "a file was left";
+}
+
+TEST_F(Files, AFileLargerThanTheLimitIsRefusedBeforeItIsRead) {
+  { std::ofstream(path("a")) << "x"; }
+  std::error_code error;
+  fs::resize_file(path("a"), core::kMaxFileBytes + 1, error);  // a hole, no blocks
+  if (error) GTEST_SKIP() << "no files of this size here";
+  EXPECT_EQ(message_of<InvalidInput>([&] { static_cast<void>(core::read_file(path("a"))); }),
+            path("a") + ": is larger than 4 GiB");
+}
+
 TEST_F(Files, NewOnesHaveTheUsualPermissions) {
   core::write_file(path("a"), "x");
   struct stat status {};

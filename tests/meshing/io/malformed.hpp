@@ -11,6 +11,11 @@
 
 namespace hexatlas::io_tests {
 
+inline const std::string kGarbage(
+    "\x7f"
+    "ELF\x02\x01\x00\x00\x9a\xff\n\x03\x00\xfe",
+    14);
+
 /// The text with its first `from` replaced; the defect must find its place.
 inline std::string edit(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);

@@ -1,9 +1,13 @@
 // Program for peers_test.py: writes a mesh in a format, or prints the mesh that a file states.
 //   mesh_tool write-hexahedra FORMAT FILE     FORMAT: vtk vtu medit gmsh2 gmsh4
 //   mesh_tool write-surface FORMAT FILE       FORMAT: these, obj, off
+//   mesh_tool write-tetrahedra FORMAT FILE    FORMAT: vtk vtu medit gmsh4 hxtet
 //   mesh_tool print-hexahedra FILE
+//   mesh_tool print-tetrahedra FILE
 //   mesh_tool print-surface FILE
-// The mesh written is a grid of 3 x 2 x 2 skewed hexahedra; the surface is its boundary.
+//   mesh_tool print-points FILE
+// The mesh written is a grid of 3 x 2 x 2 skewed hexahedra; the surface is its boundary; of
+// tetrahedra there are six in each hexahedron, around a diagonal.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -41,6 +45,18 @@ mesh::HexMesh make_grid() {
   return mesh;
 }
 
+mesh::TetMesh split(const mesh::HexMesh& mesh) {
+  mesh::TetMesh tetrahedra{mesh.points, {}};
+  // Each has the corners of a path from 0 to 7 along three edges, in right-handed order.
+  constexpr std::array<std::array<std::size_t, 4>, 6> kPaths{
+      {{0, 1, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 3, 2, 7}, {0, 5, 1, 7}, {0, 6, 4, 7}}};
+  for (const auto& hexahedron : mesh.hexahedra)
+    for (const auto& path : kPaths)
+      tetrahedra.tetrahedra.push_back(
+          {hexahedron[path[0]], hexahedron[path[1]], hexahedron[path[2]], hexahedron[path[3]]});
+  return tetrahedra;
+}
+
 mesh::SurfaceMesh boundary_of(const mesh::HexMesh& mesh) {
   std::map<std::array<mesh::Index, 4>, std::array<mesh::Index, 4>> once;
   for (const auto& hexahedron : mesh.hexahedra)
@@ -60,7 +76,7 @@ const std::map<std::string, io::FileFormat> kFormats{
     {"obj", io::FileFormat::obj},     {"off", io::FileFormat::off},
     {"vtk", io::FileFormat::vtk},     {"vtu", io::FileFormat::vtu},
     {"medit", io::FileFormat::medit}, {"gmsh2", io::FileFormat::gmsh},
-    {"gmsh4", io::FileFormat::gmsh}};
+    {"gmsh4", io::FileFormat::gmsh},  {"hxtet", io::FileFormat::hxtet}};
 
 template <class Cells>
 void print(const std::vector<mesh::Point>& points, const Cells& cells) {
@@ -83,13 +99,25 @@ int run(const std::vector<std::string>& words) {
     print(mesh.points, mesh.hexahedra);
     return 0;
   }
+  if (words.size() == 2 && words[0] == "print-tetrahedra") {
+    const mesh::TetMesh mesh = io::read_tetrahedra(words[1]);
+    print(mesh.points, mesh.tetrahedra);
+    return 0;
+  }
+  if (words.size() == 2 && words[0] == "print-points") {
+    print(io::read_points(words[1]), std::vector<std::array<mesh::Index, 1>>{});
+    return 0;
+  }
   if (words.size() != 3 || !kFormats.contains(words[1])) return 2;
   const io::FileFormat format = kFormats.at(words[1]);
   const auto version = words[1] == "gmsh2" ? io::GmshVersion::v2_2 : io::GmshVersion::v4_1;
   const mesh::HexMesh grid = make_grid();
   const mesh::SurfaceMesh surface = boundary_of(grid);
+  const mesh::TetMesh tetrahedra = split(grid);
   if (words[0] == "write-hexahedra")
     io::write_hexahedra(words[2], grid, format, {version, surface.quads});
+  else if (words[0] == "write-tetrahedra")
+    io::write_tetrahedra(words[2], {tetrahedra.points, tetrahedra.tetrahedra}, format);
   else
     core::write_file(words[2], io::to_text(surface, format, version));
   return 0;

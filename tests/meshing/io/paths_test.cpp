@@ -38,7 +38,7 @@ TEST(Format, Detected) {
   for (const Sample& sample : surface_samples())
     EXPECT_EQ(io::detect_format(sample.bytes, "f"), sample.format) << sample.name;
   EXPECT_EQ(io::detect_format("\xEF\xBB\xBF\n# c\n\nMeshVersionFormatted 2", "f"), medit);
-  for (const char* bytes : {"", "\n", "# only\n", "solid cube", "ply", "1 2 3"})
+  for (const char* bytes : {"", "\n", "# only\n", "solid cube", "plywood", "1,2 3"})
     EXPECT_THROW(static_cast<void>(io::detect_format(bytes, "f")), core::InvalidInput) << bytes;
 }
 

@@ -1,6 +1,7 @@
 // Claim. The seeds of the fuzz targets and all their findings so far obey the law of
 // tests/fuzz/round_trip.hpp: refused, or the same after writing and reading.
-// Oracle. The law itself. Files named surface_* and hexahedra_* are known to be valid.
+// Oracle. The law itself. Files named surface_*, hexahedra_*, tetrahedra_* and points_* are known
+// to be valid.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,13 +15,17 @@ namespace {
 
 using namespace hexatlas;
 
-constexpr std::array<std::pair<const char*, io::FileFormat>, 6> kFormats{
+constexpr std::array<std::pair<const char*, io::FileFormat>, 10> kFormats{
     {{"obj", io::FileFormat::obj},
      {"off", io::FileFormat::off},
      {"vtk", io::FileFormat::vtk},
      {"vtu", io::FileFormat::vtu},
      {"medit", io::FileFormat::medit},
-     {"gmsh", io::FileFormat::gmsh}}};
+     {"gmsh", io::FileFormat::gmsh},
+     {"xyz", io::FileFormat::xyz},
+     {"raw", io::FileFormat::raw},
+     {"ply", io::FileFormat::ply},
+     {"hxtet", io::FileFormat::hxtet}}};
 
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
@@ -44,6 +49,8 @@ TEST(Replay, SeedsOfEachFormat) {
       const fuzz::Outcome outcome = fuzz::check_bytes(bytes_of(path), format);
       const std::string file = path.filename();
       EXPECT_TRUE(outcome.is_surface || !file.starts_with("surface_")) << path;
+      EXPECT_TRUE(outcome.is_tetrahedral || !file.starts_with("tetrahedra_")) << path;
+      EXPECT_TRUE(outcome.has_points || !file.starts_with("points_")) << path;
       EXPECT_TRUE(outcome.is_hexahedral || !file.starts_with("hexahedra_")) << path;
     }
   }

@@ -3,15 +3,12 @@
 // Oracle. Seeded random meshes compared with themselves; literal files.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <bit>
-#include <cmath>
 #include <limits>
 #include <locale>
-#include <numeric>
 #include <random>
 
 #include "enum/core/errors.hpp"
+#include "tests/meshing/io/random_meshes.hpp"
 #include "tests/meshing/io/samples.hpp"
 
 namespace {
@@ -23,39 +20,6 @@ using enum FileFormat;
 constexpr std::array kAllFormats{obj, off, vtk, vtu, medit, gmsh};
 constexpr std::array kHexFormats{vtk, vtu, medit, gmsh};
 constexpr std::array kGmshVersions{io::GmshVersion::v2_2, io::GmshVersion::v4_1};
-
-/// Random bits, or an extreme: every finite double can occur.
-double random_coordinate(std::mt19937_64& random) {
-  using Limits = std::numeric_limits<double>;
-  constexpr std::array kExtremes{0.0,           -0.0,          Limits::denorm_min(),
-                                 Limits::min(), Limits::max(), -Limits::max(),
-                                 0.1,           1.0 / 3,       std::bit_cast<double>(1ULL << 51U)};
-  if (random() % 4 == 0) return kExtremes[random() % kExtremes.size()];
-  while (true) {
-    const auto number = std::bit_cast<double>(random());
-    if (std::isfinite(number)) return number;
-  }
-}
-
-std::vector<mesh::Point> random_points(std::mt19937_64& random, std::size_t count) {
-  std::vector<mesh::Point> points(count);
-  for (mesh::Point& p : points)
-    p = {random_coordinate(random), random_coordinate(random), random_coordinate(random)};
-  return points;
-}
-
-template <std::size_t N>
-std::vector<std::array<mesh::Index, N>> random_cells(std::mt19937_64& random, std::size_t points,
-                                                     std::size_t count) {
-  std::vector<mesh::Index> all(points);
-  std::iota(all.begin(), all.end(), 0U);
-  std::vector<std::array<mesh::Index, N>> cells(count);
-  for (auto& cell : cells) {
-    std::shuffle(all.begin(), all.end(), random);
-    std::copy_n(all.begin(), N, cell.begin());
-  }
-  return cells;
-}
 
 /// Printing through streams or printf would now give decimal commas and grouped digits.
 class Commas : public std::numpunct<char> {

@@ -40,6 +40,14 @@ inline bool same(const mesh::HexMesh& a, const mesh::HexMesh& b) {
   return bits(a.points) == bits(b.points) && a.hexahedra == b.hexahedra;
 }
 
+inline bool same(const mesh::TetMesh& a, const mesh::TetMesh& b) {
+  return bits(a.points) == bits(b.points) && a.tetrahedra == b.tetrahedra;
+}
+
+inline bool same(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
+  return bits(a) == bits(b);
+}
+
 struct Sample {
   std::string name;
   FileFormat format;

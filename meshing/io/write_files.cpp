@@ -1,0 +1,163 @@
+// The half of mesh_files.hpp that writes.
+#include <algorithm>
+#include <cmath>
+
+#include "enum/core/checks.hpp"
+#include "enum/core/errors.hpp"
+#include "enum/core/files.hpp"
+#include "meshing/io/cell_types.hpp"
+#include "meshing/io/mesh_files.hpp"
+#include "meshing/io/writers.hpp"
+
+namespace hexatlas::io {
+namespace {
+
+using mesh::Index;
+using Hexahedron = std::array<Index, 8>;
+
+/// How a format is written where there is a choice.
+struct Manner {
+  GmshVersion gmsh = GmshVersion::v4_1;
+  VtuArrays vtu = VtuArrays::zlib_base64;
+};
+
+void check(const CellsToWrite& cells) {
+  for (const mesh::Point& point : cells.points)
+    core::expects(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z),
+                  "writing a mesh: coordinates are finite");
+  for (const CellList& list : cells.lists)
+    for (const Index index : list.all_corners())
+      core::expects(index < cells.points.size(), "writing a mesh: indices are below points.size()");
+}
+
+void put(const CellsToWrite& cells, FileFormat format, const Manner& manner, Output& out) {
+  switch (format) {
+    case FileFormat::obj:
+      return write_obj(cells, out);
+    case FileFormat::off:
+      return write_off(cells, out);
+    case FileFormat::vtk:
+      return write_vtk(cells, out);
+    case FileFormat::vtu:
+      return write_vtu(cells, manner.vtu, out);
+    case FileFormat::medit:
+      return write_medit(cells, out);
+    case FileFormat::gmsh:
+      return write_gmsh(cells, manner.gmsh, out);
+    case FileFormat::hxtet:
+      return write_hxtet(cells, out);
+    case FileFormat::xyz:
+    case FileFormat::raw:
+    case FileFormat::ply:
+      break;
+  }
+  throw core::PreconditionViolated("writing a mesh: the format holds its cells");
+}
+
+/// Gives the file to the sink, block by block.
+void write(const CellsToWrite& cells, FileFormat format, const Manner& manner,
+           const core::Sink& sink) {
+  Output out(sink);
+  put(cells, format, manner, out);
+  out.flush();
+}
+
+std::string to_text(const CellsToWrite& cells, FileFormat format, const Manner& manner) {
+  check(cells);
+  std::string text;
+  write(cells, format, manner, [&](std::string_view block) { text += block; });
+  return text;
+}
+
+void write_file(const std::string& path, const CellsToWrite& cells, FileFormat format,
+                const Manner& manner) {
+  check(cells);
+  core::write_file_in_parts(path,
+                            [&](const core::Sink& sink) { write(cells, format, manner, sink); });
+}
+
+/// The corners of a hexahedron in the order of files.
+std::vector<Hexahedron> in_file_order(const std::vector<Hexahedron>& hexahedra) {
+  std::vector<Hexahedron> all(hexahedra.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    std::transform(kFileCorner.begin(), kFileCorner.end(), all[i].begin(),
+                   [&](cells::CubeVertex corner) { return hexahedra[i][corner]; });
+  return all;
+}
+
+/// `ordered`: in_file_order() of the hexahedra; it outlives the result.
+CellsToWrite cells_of(const mesh::HexMesh& mesh, const std::vector<Hexahedron>& ordered,
+                      FileFormat format, const WriteOptions& options) {
+  const bool has_single_list = format == FileFormat::vtk || format == FileFormat::vtu;
+  CellsToWrite cells{mesh.points, {}};
+  if (!has_single_list) cells.add(kFileQuad, std::span(options.boundary));
+  cells.add(kFileHexahedron, std::span(ordered));
+  return cells;
+}
+
+CellsToWrite cells_of(const mesh::TetView& mesh) {
+  CellsToWrite cells{mesh.points, {}};
+  cells.add(kFileTetrahedron, mesh.tetrahedra);
+  return cells;
+}
+
+/// Compression would take most of the time that millions of tetrahedra need.
+constexpr Manner kTetrahedraManner{GmshVersion::v4_1, VtuArrays::appended_raw};
+
+FileFormat format_to_write(const std::string& path, std::optional<FileFormat> format,
+                           Content content) {
+  if (path == "-" && !format)
+    throw core::InvalidInput("standard output", "a format is needed, since there is no extension");
+  const FileFormat known = format ? *format : format_of_path(path, content);
+  expect_holds(known, content, path);
+  return known;
+}
+
+void expect_mesh_writable(const std::string& path, std::optional<FileFormat> format,
+                          Content content) {
+  static_cast<void>(format_to_write(path, format, content));
+  core::expect_writable(path);
+}
+
+}  // namespace
+
+std::string to_text(const mesh::HexMesh& mesh, FileFormat format, const WriteOptions& options) {
+  core::expects(holds_hexahedra(format), "to_text: the format holds hexahedra");
+  const std::vector<Hexahedron> ordered = in_file_order(mesh.hexahedra);
+  return to_text(cells_of(mesh, ordered, format, options), format, {options.gmsh});
+}
+
+std::string to_text(const mesh::SurfaceMesh& mesh, FileFormat format, GmshVersion gmsh) {
+  core::expects(holds(format, Content::surface), "to_text: the format holds surfaces");
+  CellsToWrite cells{mesh.points, {}};
+  cells.add(kFileQuad, std::span(mesh.quads));
+  return to_text(cells, format, {gmsh});
+}
+
+std::string to_text(const mesh::TetView& mesh, FileFormat format) {
+  core::expects(holds(format, Content::tetrahedra), "to_text: the format holds tetrahedra");
+  return to_text(cells_of(mesh), format, kTetrahedraManner);
+}
+
+void expect_hexahedra_writable(const std::string& path, std::optional<FileFormat> format) {
+  expect_mesh_writable(path, format, Content::hexahedra);
+}
+
+void expect_tetrahedra_writable(const std::string& path, std::optional<FileFormat> format) {
+  expect_mesh_writable(path, format, Content::tetrahedra);
+}
+
+void write_hexahedra(const std::string& path, const mesh::HexMesh& mesh,
+                     std::optional<FileFormat> format, const WriteOptions& options) {
+  const FileFormat known = format_to_write(path, format, Content::hexahedra);
+  const std::vector<Hexahedron> ordered = in_file_order(mesh.hexahedra);
+  write_file(path, cells_of(mesh, ordered, known, options), known, {options.gmsh});
+}
+
+void write_tetrahedra(const std::string& path, const mesh::TetView& mesh,
+                      std::optional<FileFormat> format) {
+  const FileFormat known = format_to_write(path, format, Content::tetrahedra);
+  write_file(path, cells_of(mesh), known, kTetrahedraManner);
+}
+
+}  // namespace hexatlas::io
