@@ -296,7 +296,7 @@ TEST(PerturbedInSphere, IsThatOfRaisedPoints) {
   EXPECT_GT(ties, 3000);
 }
 
-/// The rule for points in the plane of a facet of the hull, docs/theory/delaunay-ties.md.
+/// The rule for points in the plane of a facet, docs/theory/delaunay-ties.md.
 TEST(PerturbedInSphere, OfAPointInThePlaneOfAFacetDependsOnTheSideOfTheApexOnly) {
   Random random(20261211);
   int checked = 0;
