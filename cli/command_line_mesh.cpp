@@ -76,6 +76,26 @@ void add_mesh_untangle(CLI::App& mesh, Action& action) {
   command->callback([options, &action] { action = [options] { return mesh_untangle(*options); }; });
 }
 
+void add_mesh_delaunay(CLI::App& mesh, Action& action) {
+  auto* command = mesh.add_subcommand("delaunay", "Delaunay triangulation of points: tetrahedra");
+  auto options = std::make_shared<MeshDelaunayOptions>();
+  command
+      ->add_option("POINTS", options->input,
+                   "Points: .xyz .bin .ply, or those of .obj .off .vtk .vtu .mesh .msh; - for "
+                   "standard input")
+      ->required();
+  command->add_option("-o,--output", options->output,
+                      "Mesh to write: .vtu .vtk .mesh .msh .hxtet, or - for standard output "
+                      "(.vtk); without, the tetrahedra are counted");
+  command->add_flag("--json", options->json, "Print one JSON object");
+  add_threads(*command, options->threads);
+  command->footer(
+      "Of several triangulations that are Delaunay, the one chosen depends on the points only.\n"
+      "Exit code 1 if all points are in one plane. `hexatlas check --delaunay` judges a mesh.\n" +
+      example("hexatlas mesh delaunay points.xyz -o tetrahedra.vtu"));
+  command->callback([options, &action] { action = [options] { return mesh_delaunay(*options); }; });
+}
+
 }  // namespace
 
 void add_mesh(CLI::App& app, Action& action) {
@@ -117,6 +137,7 @@ void add_mesh(CLI::App& app, Action& action) {
   hex->callback([options, &action] { action = [options] { return mesh_hex(*options); }; });
   add_mesh_boundary(*mesh, action);
   add_mesh_untangle(*mesh, action);
+  add_mesh_delaunay(*mesh, action);
 }
 
 void add_simplify(CLI::App& app, Action& action) {

@@ -52,6 +52,14 @@ struct MeshBoundaryOptions {
 };
 [[nodiscard]] ExitCode mesh_boundary(const MeshBoundaryOptions& options);
 
+struct MeshDelaunayOptions {
+  std::string input;
+  std::string output;  ///< empty: count only
+  bool json = false;
+  int threads = 0;  ///< 0: all processors
+};
+[[nodiscard]] ExitCode mesh_delaunay(const MeshDelaunayOptions& options);
+
 struct MeshUntangleOptions {
   std::string input, output;
   std::string report;  ///< file for a page; empty: none

@@ -11,7 +11,9 @@
 /// squared lengths of the points that take part.
 /// (1) The computed 3 x 3 determinant errs by less than 2^-47 D^(3/2) + 2^-500.
 /// (2) The computed 4 x 4 determinant with the squared lengths as last column errs by less than
-///     2^-43 D^(5/2) + 2^-480.
+///     2^-44 D^(5/2) + 2^-480.
+/// A sign is taken for proven if the square of the value exceeds that of twice the first summand
+/// plus 2^-900: either the second summand is below the first, or both are below 2^-479.
 /// Proof. A computed difference of coordinates is the true one times 1 + d, |d| <= u, without
 /// underflow, since a subnormal difference is exact. A squared length has in addition an error of
 /// 3.01 u relative to itself, all its terms being of one sign; with the squared factors from the
@@ -24,11 +26,13 @@
 ///     contribute 3.01 u + 5.02 u. A minor of two rows is a difference of two products: 3.02 u
 ///     relative to the sum of their absolute values. The product of two minors: 1.01 u more than
 ///     the sum of both, 7.1 u. The sum of six of them: at most 5.01 u relative to the sum of the
-///     absolute values. In all below 24 (8.03 + 7.1 + 5.01) u < 484 u < 2^-43.
-/// Fused multiplications and additions leave out roundings and make no error larger. Underflow:
-/// each product that underflows errs by at most 2^-1075, and is then multiplied by at most three
-/// factors of at most max(1, D) each... so that its part stays below the last summand or below
-/// the first, whichever D is. Overflow makes an infinity or a NaN, which decides nothing.
+///     absolute values. In all below 24 (8.03 + 7.1 + 5.01) u < 484 u < 2^-44.
+/// A fused multiplication and addition leaves out a rounding and makes no error larger. A product
+/// that underflows errs by at most 2^-1075 more, and each of the at most 40 products that go into a
+/// determinant is multiplied by at most three further factors, of at most max(1, 2 D) in all
+/// but one, whose other is at most 2 D^(1/2): at most 2^-1066 max(1, D^(5/2)) together, which is
+/// below 2^-480 or below the unused part of the first summand. Overflow makes an infinity or a NaN;
+/// no comparison with it decides.
 
 #include <array>
 #include <cstdint>

@@ -10,7 +10,8 @@ namespace {
 using Lanes [[gnu::vector_size(32)]] = double;
 using LaneBits [[gnu::vector_size(32)]] = long long;
 
-constexpr double kOrientationBound = 0x1p-94;  // 2^-47 squared
+// Squares of twice the first summands in four_facets.hpp.
+constexpr double kOrientationBound = 0x1p-92;  // 2^-46 squared
 constexpr double kSphereBound = 0x1p-86;       // 2^-43 squared
 constexpr double kUnderflow = 0x1p-900;
 constexpr LaneBits kOddLanes = {0, 1LL << 63, 0, 1LL << 63};  // NOLINT(*signed-bitwise)

@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.hpp"
+#include "cli/mesh_output.hpp"
+#include "cli/output.hpp"
+#include "enum/parallel/parallel_for.hpp"
+#include "meshing/delaunay/triangulation.hpp"
+#include "meshing/io/mesh_files.hpp"
+
+namespace hexatlas::cli {
+namespace {
+
+struct Account {
+  std::size_t points = 0, duplicates = 0, tetrahedra = 0;
+  double seconds = 0;  ///< of triangulating, without the files
+  int threads = 1;
+  double bytes_per_tetrahedron = 0;
+};
+
+std::string json_line(const Account& account) {
+  nlohmann::ordered_json json;
+  json["points"] = account.points;
+  json["duplicates"] = account.duplicates;
+  json["tetrahedra"] = account.tetrahedra;
+  json["seconds"] = account.seconds;
+  json["threads"] = account.threads;
+  json["bytes_per_tetrahedron"] = account.bytes_per_tetrahedron;
+  return to_line(json);
+}
+
+std::string summary(const Account& account, const std::string& output) {
+  return fmt::format("{}: {} of {}, {}\n{:.2f} seconds with {}, {:.0f} bytes per tetrahedron\n",
+                     output.empty() ? "counted" : output,
+                     counted(account.tetrahedra, "tetrahedron", "tetrahedra"),
+                     counted(account.points, "point", "points"),
+                     counted(account.duplicates, "duplicate", "duplicates"), account.seconds,
+                     counted(static_cast<std::size_t>(account.threads), "thread", "threads"),
+                     account.bytes_per_tetrahedron);
+}
+
+std::string why_degenerate(int dimension, std::size_t points) {
+  constexpr std::array<const char*, 3> kWhere{"at one place", "on a line", "in a plane"};
+  if (dimension < 0) return "there are no points";
+  return fmt::format("{} {}", points == 1 ? "the only point is" : "all points are",
+                     kWhere.at(static_cast<std::size_t>(dimension)));
+}
+
+}  // namespace
+
+ExitCode mesh_delaunay(const MeshDelaunayOptions& options) {
+  if (is_same_file(options.input, options.output)) {
+    say("mesh delaunay: POINTS and the mesh to write are the same file");
+    return ExitCode::usage;
+  }
+  const bool is_stream = options.output == "-";
+  const auto format = is_stream ? std::optional(io::FileFormat::vtk) : std::nullopt;
+  if (!options.output.empty()) io::expect_tetrahedra_writable(options.output, format);
+  const std::vector<mesh::Point> points = io::read_points(options.input);
+  const int threads = parallel::threads_or_all(options.threads);
+  const double start = seconds();
+  const delaunay::Triangulation triangulation(points, {.threads = threads});
+  const double elapsed = seconds() - start;
+  if (triangulation.dimension() < 3) {
+    say(fmt::format("{}: degenerate, {}: no tetrahedron has them for vertices",
+                    options.input == "-" ? "standard input" : options.input,
+                    why_degenerate(triangulation.dimension(), points.size())));
+    return ExitCode::no;
+  }
+  const Account account{
+      points.size(),
+      triangulation.duplicates(),
+      triangulation.size(),
+      elapsed,
+      threads,
+      static_cast<double>(triangulation.bytes()) / static_cast<double>(triangulation.size())};
+  if (!options.output.empty())
+    io::write_tetrahedra(options.output, {points, triangulation.tetrahedra()}, format);
+  tell(options.output, options.json ? json_line(account) : summary(account, options.output));
+  return ExitCode::yes;
+}
+
+}  // namespace hexatlas::cli
