@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -92,8 +93,9 @@ TEST(InSphere, OfTheUnitTetrahedron) {
 TEST(InSphere, SmallGridsAtEveryScale) {
   Random random(20261201);
   Tally tally;
-  for (const int exponent : {0,    -1074, -1060, -1000, -900, -700, -230, -216, -215, -214, -213,
-                             -190, -180,  -50,   50,    179,  180,  181,  300,  700,  960,  1018})
+  for (const int exponent :
+       {0,   -1074, -1060, -1000, -900, -700, -230, -216, -215, -214, -213, -190, -180,
+        -50, 50,    179,   180,   181,  202,  203,  204,  300,  700,  960,  1018})
     for (int trial = 0; trial < 1500; ++trial) {
       const std::uint64_t size = 2 + random() % 6;
       check(tuple_of([&] { return std::ldexp(small_integer(random, size), exponent); }), tally);
