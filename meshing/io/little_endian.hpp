@@ -17,7 +17,7 @@ static_assert(std::endian::native == std::endian::little,
 /// The number in the first bytes. Requires: bytes.size() >= sizeof(Number).
 template <class Number>
 [[nodiscard]] Number load_little(std::string_view bytes) {
-  Number value;
+  Number value{};
   std::memcpy(&value, bytes.data(), sizeof value);
   return value;
 }

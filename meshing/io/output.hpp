@@ -20,7 +20,8 @@ class Output {
   /// `sink` takes the blocks, in order, and must outlive the output.
   explicit Output(const core::Sink& sink) : sink_(sink) {}
 
-  /// Each as text, one after the other: strings as they are, numbers, a point as "x y z".
+  /// Each as text, one after the other: strings as they are, numbers (integers: not negative), a
+  /// point as "x y z".
   template <class... Parts>
   void put(const Parts&... parts) {
     (put_one(parts), ...);
@@ -54,8 +55,11 @@ class Output {
   void put_one(const char* text) { block_ += text; }
   void put_one(double number);
   void put_one(std::uint64_t number);
-  void put_one(std::integral auto number) { put_one(static_cast<std::uint64_t>(number)); }
-  void put_one(char) = delete;  // a character, or its number?
+  template <std::integral Number>
+  requires(sizeof(Number) > 1)  // of a character it would be the number
+      void put_one(Number number) {
+    put_one(static_cast<std::uint64_t>(number));
+  }
   void put_one(const mesh::Point& point);
 
   const core::Sink& sink_;
