@@ -56,20 +56,20 @@ Sides sides_of(const TetrahedralMesh& mesh, const Triangle& facet,
   return sides;
 }
 
-/// Whether the centroid of the tetrahedron with these corners is strictly outside of `cell`.
+/// Whether the centroid of the tetrahedron with these corners is strictly outside of `cell`. Mostly
+/// a facet of the cell separates the two; only facets with corners on both sides need the centroid.
 bool is_outside(const TetrahedralMesh& mesh, std::uint32_t cell,
                 const std::array<Point, 4>& corners, Signs& signs) {
-  bool straddled[4] = {};  // NOLINT(modernize-avoid-c-arrays)
+  std::array<bool, 4> divides{};
   for (std::uint32_t i = 0; i < 4; ++i) {
     const Sides sides = sides_of(mesh, facet_of(mesh.tetrahedra, 4 * cell + i), corners, signs);
     if (sides.outside && !sides.inside) return true;
-    straddled[i] = sides.outside;
+    divides[i] = sides.outside;
   }
   for (std::uint32_t i = 0; i < 4; ++i) {
-    if (!straddled[i]) continue;
     const Triangle facet = facet_of(mesh.tetrahedra, 4 * cell + i);
-    if (signs.orientation_of_centroid(mesh.points[facet[0]], mesh.points[facet[1]],
-                                      mesh.points[facet[2]], corners) > 0) {
+    if (divides[i] && signs.orientation_of_centroid(mesh.points[facet[0]], mesh.points[facet[1]],
+                                                    mesh.points[facet[2]], corners) > 0) {
       return true;
     }
   }
