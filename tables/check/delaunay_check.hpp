@@ -17,7 +17,7 @@
 /// triangulations is accepted.
 ///
 /// Preconditions: finite coordinates; fewer than 2^30 tetrahedra. Errors: none; the judgement is a
-/// value. Cost: O(T log d) with the degree d of facets.hpp, and one sign per tetrahedron and
+/// value. Cost: O(T log d) with the d of tetrahedron_facets.hpp, and one sign per tetrahedron and
 /// interior facet; some 60 bytes per tetrahedron besides the mesh.
 /// Not promised: anything about a mesh of other shape than the hull, or with facets prescribed.
 

@@ -227,10 +227,10 @@ std::vector<std::pair<std::string, std::string>> files(const TetrahedralMesh& me
   return {
       {"a.hxtet", hxtet(mesh)},
       {"a.vtk", "# vtk DataFile Version 3.0\na\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " + n +
-                    " double\n" + points(mesh, false, "") + "CELLS " + std::to_string(count + 2) +
-                    " " + std::to_string(5 * count + 6) + "\n" + rows(mesh, "4", 0, "") +
-                    "3 0 1 2\n1 0\nCELL_TYPES " + std::to_string(count + 2) + "\n" + types +
-                    "5\n1\n"},
+                    " double\n" + points(mesh, false, "") + "CELLS " + std::to_string(count + 3) +
+                    " " + std::to_string(5 * count + 11) + "\n" + rows(mesh, "4", 0, "") +
+                    "3 0 1 2\n1 0\n4 0 1 4 3\nCELL_TYPES " + std::to_string(count + 3) + "\n" +
+                    types + "5\n1\n9\n"},
       {"a.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices\n" + n + "\n" +
                      points(mesh, false, "0") + "Triangles\n1\n1 2 3 0\nTetrahedra\n" +
                      std::to_string(count) + "\n" + rows(mesh, "", 1, " 0") + "End\n"},

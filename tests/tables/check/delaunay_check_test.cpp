@@ -47,9 +47,18 @@ TEST(Signs, AreThoseOfIntegersInEveryStage) {
     const int side = points.orientation(0, 1, 2, 3);
     const int in = points.in_sphere(0, 1, 2, 3, 4);
     zeros += in == 0;
-    // 2^-1074: subnormal numbers. 2^500: products overflow.
-    for (const auto& [scale, shift] : std::vector<std::pair<double, double>>{
-             {1, 0}, {0x1p-20, 0x1p30}, {0x1p-1074, 0}, {0x1p500, 0}, {0x1p40, 1}}) {
+    // 2^-1074: subnormal numbers. 2^-358, 2^-215: products are. 2^500: products overflow.
+    for (const auto& [scale, shift] : std::vector<std::pair<double, double>>{{1, 0},
+                                                                             {0x1p-20, 0x1p30},
+                                                                             {0x1p-1074, 0},
+                                                                             {0x1p-358, 0},
+                                                                             {0x1p-362, 0},
+                                                                             {0x1p-368, 0},
+                                                                             {0x1p-356, 0},
+                                                                             {0x1p-215, 0},
+                                                                             {0x1p-213, 0},
+                                                                             {0x1p500, 0},
+                                                                             {0x1p40, 1}}) {
       std::array<Point, 5> p{};
       for (std::size_t i = 0; i < 5; ++i) p[i] = placed(points.at[i], scale, shift);
       Signs signs;
@@ -66,19 +75,50 @@ TEST(Signs, AreThoseOfIntegersInEveryStage) {
   EXPECT_GT(total.by_words, 10000U);
 }
 
+int nonzero(std::mt19937& random) {
+  constexpr std::array<int, 4> kValues = {-2, -1, 1, 2};
+  return kValues[random() % 4];
+}
+
+/// Five points of a small lattice, one of them moved a little.
+Points slightly_moved(std::mt19937& random) {
+  Points points;
+  for (int i = 0; i < 5; ++i)
+    points.at.push_back({nonzero(random), nonzero(random), nonzero(random)});
+  points.moved = random() % 5;
+  points.axis = random() % 3;
+  points.direction = random() % 2 == 0 ? 1 : -1;
+  return points;
+}
+
+TEST(Signs, SeeOneUnitAmongLargeIntegers) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 4000; ++round) {
+    const Points points = slightly_moved(random);
+    for (const std::int64_t unit : {(1LL << 22) - 3, (1LL << 30) - 35, (1LL << 35) - 31,
+                                    (1LL << 38) - 45, (1LL << 52) - 47}) {
+      std::array<Point, 5> p{};
+      for (std::size_t i = 0; i < 5; ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          std::int64_t value = points.at[i][axis] * unit;
+          if (i == points.moved && axis == points.axis) value += points.direction;
+          // The last unit: subnormal numbers among normal ones.
+          p[i][axis] = static_cast<double>(value) * (round % 2 == 0 ? 1 : 0x1p-1074);
+        }
+      Signs signs;
+      ASSERT_EQ(signs.orientation(p[0], p[1], p[2], p[3]), points.orientation(0, 1, 2, 3));
+      ASSERT_EQ(signs.in_sphere(p[0], p[1], p[2], p[3], p[4]), points.in_sphere(0, 1, 2, 3, 4));
+    }
+  }
+}
+
 TEST(Signs, SeeOneUnitInTheLastPlace) {
   std::mt19937 random(2);
   SignCounts total;
   int decided_by_it = 0;
   for (int round = 0; round < 4000; ++round) {
-    Points points;
-    for (int i = 0; i < 5; ++i)
-      points.at.push_back({1 + static_cast<int>(random() % 3), 1 + static_cast<int>(random() % 3),
-                           1 + static_cast<int>(random() % 3)});
-    points.moved = random() % 5;
-    points.axis = random() % 3;
-    const bool zero = points.in_sphere(0, 1, 2, 3, 4) == 0;
-    points.direction = random() % 2 == 0 ? 1 : -1;
+    const Points points = slightly_moved(random);
+    const bool zero = points.sphere({0, 1, 2, 3, 4}, 0) == 0;
     const std::vector<Point> p = oracle::mesh_of(points, {}).points;
     Signs signs;
     ASSERT_EQ(signs.orientation(p[0], p[1], p[2], p[3]), points.orientation(0, 1, 2, 3));
@@ -218,11 +258,14 @@ TEST(DelaunayCheck, RefusesBoundariesThatAreNoSphere) {
   const DelaunayVerdict torus = check_delaunay(oracle::mesh_of(points, cells), nullptr);
   EXPECT_EQ(torus.broken, DelaunayLaw::kBoundarySurface);
   EXPECT_NE(torus.reason.find("Euler characteristic 0"), std::string::npos) << torus.reason;
-  // An octahedron without two opposite tetrahedra of its four: an edge of four boundary facets.
-  const TetrahedralMesh pinched{
-      {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0, 0, 1}},
-      {{0, 1, 5, 4}, {2, 3, 5, 4}}};
-  EXPECT_NE(broken(pinched), DelaunayLaw::kNone);
+  // Without two columns of 2 x 2 x 2, but for the top of one: two cubes meet in an edge.
+  cells = examples::kuhn(2);
+  cells.erase(cells.begin() + 12, cells.begin() + 18);
+  cells.erase(cells.begin() + 6, cells.begin() + 12);
+  const DelaunayVerdict pinched =
+      check_delaunay(oracle::mesh_of(examples::lattice(2), cells), nullptr);
+  EXPECT_EQ(pinched.broken, DelaunayLaw::kBoundarySurface);
+  EXPECT_NE(pinched.reason.find("lies in 4 boundary facets"), std::string::npos) << pinched.reason;
 }
 
 /// All edges of the boundary are convex and all spheres locally empty: only what is covered how
@@ -270,6 +313,29 @@ TEST(DelaunayCheck, RefusesAFlipThatFillsASphere) {
   EXPECT_EQ(broken(mesh_with(4, true)), DelaunayLaw::kEmptySpheres);
   EXPECT_EQ(broken(mesh_with(1, true)), DelaunayLaw::kNone);
   EXPECT_EQ(broken(mesh_with(1, false)), DelaunayLaw::kEmptySpheres);
+}
+
+/// A small base at the axis of a pentagram, which a side of another tetrahedron cuts in two: its
+/// centroid is inside of that one, or on the side.
+TEST(DelaunayCheck, RefusesAPentagramWithItsBaseAtTheAxis) {
+  for (const bool on_side : {false, true}) {
+    const std::vector<Lattice> pentagram = {
+        {100, 0, 0}, {-81, 59, 0}, {31, -95, 0}, {31, on_side ? 93 : 95, 0}, {-81, -59, 0}};
+    TetrahedralMesh mesh = examples::around_axis(pentagram, 40);
+    mesh.points.push_back({6, 10, 0});
+    mesh.points.push_back({-1, on_side ? 5.0 : 4.0, 0});
+    // The first tetrahedron (5, 0, 1, 6) is cut by point 7, and (5, 7, 1, 6) of it by point 8.
+    mesh.tetrahedra.erase(mesh.tetrahedra.begin());
+    for (const Tetrahedron& part : std::vector<Tetrahedron>{{7, 0, 1, 6},
+                                                            {5, 0, 7, 6},
+                                                            {5, 0, 1, 7},
+                                                            {8, 7, 1, 6},
+                                                            {5, 8, 1, 6},
+                                                            {5, 7, 8, 6},
+                                                            {5, 7, 1, 8}})
+      mesh.tetrahedra.push_back(part);
+    EXPECT_EQ(broken(mesh), DelaunayLaw::kCoveredOnce);
+  }
 }
 
 }  // namespace
