@@ -3,6 +3,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
@@ -10,6 +11,7 @@
 #include "tables/check/bound.hpp"
 #include "tables/check/catalogue.hpp"
 #include "tables/check/completeness.hpp"
+#include "tables/check/delaunay_check.hpp"
 #include "tables/check/file_bytes.hpp"
 #include "tables/check/malformed.hpp"
 #include "tables/check/mesh_check.hpp"
@@ -211,10 +213,56 @@ ExitCode check_all_sectors(const CheckOptions& options, std::string_view bytes) 
   return exit_code(verdict);
 }
 
+std::string json_line(const check::DelaunayVerdict& verdict) {
+  nlohmann::ordered_json json;
+  json["accepted"] = verdict.accepted;
+  json["law"] = check::name_of(verdict.broken);
+  json["reason"] = verdict.reason;
+  json["points"] = verdict.points;
+  json["duplicates"] = verdict.duplicates;
+  json["tetrahedra"] = verdict.tetrahedra;
+  json["facets"] = verdict.facets;
+  json["boundary_facets"] = verdict.boundary_facets;
+  json["boundary_vertices"] = verdict.boundary_vertices;
+  json["cospherical"] = verdict.cospherical;
+  json["signs"] = {{"by_double", verdict.signs.by_double},
+                   {"by_words", verdict.signs.by_words},
+                   {"by_integers", verdict.signs.by_integers}};
+  return to_line(json);
+}
+
+std::string sentence(const CheckOptions& options, const check::DelaunayVerdict& verdict) {
+  if (!verdict.accepted)
+    return fmt::format("{}: rejected: {}: {}\n", options.mesh, check::name_of(verdict.broken),
+                       verdict.reason);
+  return fmt::format(
+      "{}: accepted: a Delaunay triangulation, {}, {} points ({} of them duplicates), {} facets, "
+      "{} "
+      "of them on the boundary; {} interior facets between tetrahedra of one sphere{}\n",
+      options.mesh, counted(verdict.tetrahedra, "tetrahedron", "tetrahedra"), verdict.points,
+      verdict.duplicates, verdict.facets, verdict.boundary_facets, verdict.cospherical,
+      options.points.empty() ? "" : "; its points are those of " + options.points);
+}
+
+ExitCode check_delaunay_mesh(const CheckOptions& options) {
+  if (!options.boundary.empty() || !options.completeness.empty()) {
+    say("--boundary and --completeness do not go with --delaunay");
+    return ExitCode::usage;
+  }
+  const check::TetrahedralMesh mesh = check::read_tetrahedra(options.mesh);
+  std::vector<check::Point> points;
+  if (!options.points.empty()) points = check::read_points(options.points);
+  const check::DelaunayVerdict verdict =
+      check::check_delaunay(mesh, options.points.empty() ? nullptr : &points);
+  print(options.json ? json_line(verdict) : sentence(options, verdict));
+  return verdict.accepted ? ExitCode::yes : ExitCode::no;
+}
+
 }  // namespace
 
 ExitCode check(const CheckOptions& options) {
   try {
+    if (options.delaunay) return check_delaunay_mesh(options);
     // What is no mesh is told by its first words, whatever its name; a mesh by its name.
     const std::string bytes = check::bytes_of_file(options.mesh);
     if (check::is_bound(bytes)) return check_one_bound(options, bytes);

@@ -90,22 +90,32 @@ ExitCode wrong_usage(const CLI::App& app, const std::vector<std::string>& words,
 void add_check(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand(
       "check",
-      "Judge a hexahedral mesh, a catalogue of triangulations, a certificate of a lower bound or "
-      "sectors; shares no code with their makers");
+      "Judge a hexahedral mesh, a Delaunay triangulation, a catalogue of triangulations, a "
+      "certificate of a lower bound or sectors; shares no code with their makers");
   auto options = std::make_shared<CheckOptions>();
   command
       ->add_option("FILE", options->mesh,
-                   "Mesh (.vtu .vtk .mesh .msh), catalogue (.hxc), certificate (.hxb) or sectors "
-                   "(.hxs)")
+                   "Mesh (.vtu .vtk .mesh .msh, with --delaunay also .hxtet), catalogue (.hxc), "
+                   "certificate (.hxb) or sectors (.hxs)")
       ->required();
   command->add_option("--boundary", options->boundary,
                       "Quad surface that the mesh must have as its boundary");
   command->add_option("--completeness", options->completeness,
                       "Proof that the classes of the catalogue are all (.hxl)");
+  auto* delaunay =
+      command->add_flag("--delaunay", options->delaunay,
+                        "The mesh must be a Delaunay triangulation of its points, by exact signs");
+  command
+      ->add_option(
+          "--points", options->points,
+          "With --delaunay: file whose points the mesh must have, in the same order (.xyz, "
+          ".bin of doubles, or a mesh)")
+      ->needs(delaunay);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(
       "Examples:\n"
       "  hexatlas check pyramid.vtu --boundary pyramid.obj\n"
+      "  hexatlas check --delaunay tetrahedra.vtu --points points.xyz\n"
       "  hexatlas check hexahedron.hxc --completeness hexahedron.hxl\n");
   command->callback([options, &action] { action = [options] { return check(*options); }; });
 }

@@ -101,7 +101,8 @@ struct ViewOptions {
 [[nodiscard]] ExitCode view_mesh(const ViewOptions& options);
 
 struct CheckOptions {
-  std::string mesh, boundary, completeness;
+  std::string mesh, boundary, completeness, points;
+  bool delaunay = false;
   bool json = false;
 };
 [[nodiscard]] ExitCode check(const CheckOptions& options);

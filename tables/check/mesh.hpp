@@ -6,14 +6,19 @@
 /// Formats, by the ending of the name, in either case: `.vtk` (legacy, ASCII,
 /// versions 2.0, 3.0, 4.2, 5.1, UNSTRUCTURED_GRID), `.vtu` (ASCII; base64 inline; appended raw or
 /// base64; uncompressed or zlib; little-endian), `.mesh` (MEDIT, ASCII), `.msh` (Gmsh 2.2 and 4.1,
-/// ASCII), and for surfaces also `.obj` and `.off`. Where the name has no ending (a pipe, standard
-/// input) the first bytes decide: `# vtk DataFile`, `<?xml` or `<VTKFile`, `MeshVersionFormatted`,
-/// `$MeshFormat`, `OFF`; a surface that begins otherwise is OBJ.
+/// ASCII), for tetrahedra also `.hxtet` (docs/formats/hxtet.md), for surfaces also `.obj` and
+/// `.off`, for points alone also `.xyz` (text, three numbers a line, '#' comments) and `.bin`
+/// (consecutive little-endian doubles x y z). Where the name has no ending (a pipe, standard input)
+/// the first bytes decide: `# vtk DataFile`, `<?xml` or `<VTKFile`, `MeshVersionFormatted`,
+/// `$MeshFormat`, `HXTET`, `OFF`; a surface that begins otherwise is OBJ, points that do are
+/// `.xyz`.
 ///
-/// Points keep the order of the file. Of the cells, hexahedra and quads are kept; isolated points
-/// and line segments are passed over, since they carry no part of a mesh; any other cell is
-/// refused. Attributes (fields, references, physical groups) are passed over. Decimal coordinates
-/// are read as the nearest double, whatever width the file declares.
+/// Points keep the order of the file. Of the cells of a Mesh, hexahedra and quads are kept;
+/// isolated points and line segments are passed over, since they carry no part of a mesh; any other
+/// cell is refused. Of a mesh of tetrahedra these are kept, while isolated points, line segments,
+/// triangles and quads are passed over and other cells refused. Attributes (fields, references,
+/// physical groups) are passed over. Decimal coordinates are read as the nearest double, whatever
+/// width the file declares.
 ///
 /// Errors: Malformed, for everything that is not a well-formed file of its format, among them a
 /// count larger than the rest of the file can hold, an index outside the points, and a coordinate
@@ -36,6 +41,9 @@ using Quad = std::array<std::uint32_t, 4>;
 /// vertex i. With right-handed axes the corners are 000 100 110 010 001 101 111 011.
 using Hexahedron = std::array<std::uint32_t, 8>;
 
+/// Four vertices a, b, c, d in VTK order: with right-handed axes det(b - a, c - a, d - a) > 0.
+using Tetrahedron = std::array<std::uint32_t, 4>;
+
 struct Surface {
   std::vector<Point> points;
   std::vector<Quad> quads;
@@ -47,13 +55,23 @@ struct Mesh {
   std::vector<Quad> quads;  ///< the boundary as listed in the file; empty if it lists none
 };
 
+struct TetrahedralMesh {
+  std::vector<Point> points;
+  std::vector<Tetrahedron> tetrahedra;
+};
+
 /// "-" is standard input; pipes and devices are read until they end. At most 4 GiB.
 [[nodiscard]] Mesh read_mesh(const std::filesystem::path& path);
 [[nodiscard]] Surface read_surface(const std::filesystem::path& path);
+[[nodiscard]] TetrahedralMesh read_tetrahedra(const std::filesystem::path& path);
+/// The points of a file of points, or of a mesh of any known cells.
+[[nodiscard]] std::vector<Point> read_points(const std::filesystem::path& path);
 
 /// The same for bytes in memory; the format is that of the ending of `name`, or of the first
 /// bytes; `name` also opens each message.
 [[nodiscard]] Mesh parse_mesh(const std::string& name, std::string_view bytes);
 [[nodiscard]] Surface parse_surface(const std::string& name, std::string_view bytes);
+[[nodiscard]] TetrahedralMesh parse_tetrahedra(const std::string& name, std::string_view bytes);
+[[nodiscard]] std::vector<Point> parse_points(const std::string& name, std::string_view bytes);
 
 }  // namespace hexatlas::check

@@ -1,4 +1,5 @@
-#include <limits>
+#include <algorithm>
+#include <array>
 #include <unordered_map>
 
 #include "tables/check/readers.hpp"
@@ -8,25 +9,27 @@ namespace hexatlas::check {
 
 namespace {
 
-constexpr std::uint64_t kGmshLine = 1;
-constexpr std::uint64_t kGmshQuad = 3;
-constexpr std::uint64_t kGmshHexahedron = 5;
-constexpr std::uint64_t kGmshPoint = 15;
+constexpr std::array<ShapeNumber, 6> kGmshShapes = {{{1, Shape::kLine},
+                                                     {2, Shape::kTriangle},
+                                                     {3, Shape::kQuad},
+                                                     {4, Shape::kTetrahedron},
+                                                     {5, Shape::kHexahedron},
+                                                     {15, Shape::kVertex}}};
 
 /// The points of a Gmsh file carry tags; their order in the file numbers them here.
-struct TaggedMesh {
-  Mesh mesh;
+struct TaggedDraft {
+  Draft draft;
   std::unordered_map<std::uint64_t, std::uint32_t> number_of_tag;
 };
 
-void add_tag(Scanner& in, TaggedMesh& tagged, std::uint64_t tag) {
+void add_tag(Scanner& in, TaggedDraft& tagged, std::uint64_t tag) {
   const auto number = static_cast<std::uint32_t>(tagged.number_of_tag.size());
   if (tag == 0 || !tagged.number_of_tag.emplace(tag, number).second) {
     in.fail("the node tag " + std::to_string(tag) + " is zero or occurs twice");
   }
 }
 
-std::uint32_t node(Scanner& in, const TaggedMesh& tagged) {
+std::uint32_t node(Scanner& in, const TaggedDraft& tagged) {
   const std::uint64_t tag = in.natural();
   const auto found = tagged.number_of_tag.find(tag);
   if (found == tagged.number_of_tag.end()) {
@@ -35,38 +38,29 @@ std::uint32_t node(Scanner& in, const TaggedMesh& tagged) {
   return found->second;
 }
 
-template <std::size_t size>
-std::array<std::uint32_t, size> nodes(Scanner& in, const TaggedMesh& tagged) {
-  std::array<std::uint32_t, size> result{};
-  for (std::uint32_t& vertex : result) vertex = node(in, tagged);
-  return result;
-}
-
-void read_element(Scanner& in, TaggedMesh& tagged, std::uint64_t type) {
-  if (type == kGmshHexahedron) {
-    tagged.mesh.hexahedra.push_back(nodes<8>(in, tagged));
-  } else if (type == kGmshQuad) {
-    tagged.mesh.quads.push_back(nodes<4>(in, tagged));
-  } else if (type == kGmshLine) {
-    static_cast<void>(nodes<2>(in, tagged));
-  } else if (type == kGmshPoint) {
-    static_cast<void>(nodes<1>(in, tagged));
-  } else {
-    in.fail("an element of Gmsh type " + std::to_string(type) +
-            " is neither a hexahedron nor a quad");
+void read_element(Scanner& in, TaggedDraft& tagged, std::uint64_t type) {
+  const auto* const known =
+      std::find_if(kGmshShapes.begin(), kGmshShapes.end(),
+                   [type](const ShapeNumber& candidate) { return candidate.number == type; });
+  if (known == kGmshShapes.end() || tagged.draft.refuses(known->shape)) {
+    in.fail("an element of Gmsh type " + std::to_string(type) + " is " + tagged.draft.refusal());
   }
+  std::array<std::uint32_t, 8> corners{};
+  const auto used = std::span(corners).first(corner_count(known->shape));
+  for (std::uint32_t& vertex : used) vertex = node(in, tagged);
+  tagged.draft.add(known->shape, used);
 }
 
-void read_nodes_2(Scanner& in, TaggedMesh& tagged) {
+void read_nodes_2(Scanner& in, TaggedDraft& tagged) {
   const std::uint64_t count = in.count(8);
-  tagged.mesh.points.reserve(count);
+  tagged.draft.points.reserve(count);
   for (std::uint64_t i = 0; i < count; ++i) {
     add_tag(in, tagged, in.natural());
-    tagged.mesh.points.push_back(in.point());
+    tagged.draft.points.push_back(in.point());
   }
 }
 
-void read_elements_2(Scanner& in, TaggedMesh& tagged) {
+void read_elements_2(Scanner& in, TaggedDraft& tagged) {
   const std::uint64_t count = in.count(6);
   for (std::uint64_t i = 0; i < count; ++i) {
     static_cast<void>(in.natural());
@@ -99,7 +93,7 @@ std::uint64_t tag_within(Scanner& in, const BlockCounts& counts) {
   return tag;
 }
 
-void read_nodes_4(Scanner& in, TaggedMesh& tagged) {
+void read_nodes_4(Scanner& in, TaggedDraft& tagged) {
   const BlockCounts counts = read_block_counts(in);
   for (std::uint64_t block = 0; block < counts.blocks; ++block) {
     const std::uint64_t dimension = in.natural();
@@ -109,14 +103,14 @@ void read_nodes_4(Scanner& in, TaggedMesh& tagged) {
     const std::uint64_t size = in.count(8);
     for (std::uint64_t i = 0; i < size; ++i) add_tag(in, tagged, tag_within(in, counts));
     for (std::uint64_t i = 0; i < size; ++i) {
-      tagged.mesh.points.push_back(in.point());
+      tagged.draft.points.push_back(in.point());
       for (std::uint64_t j = 0; j < parametric * dimension; ++j) static_cast<void>(in.real());
     }
   }
-  if (tagged.mesh.points.size() != counts.items) in.fail("the number of nodes is wrong");
+  if (tagged.draft.points.size() != counts.items) in.fail("the number of nodes is wrong");
 }
 
-void read_elements_4(Scanner& in, TaggedMesh& tagged) {
+void read_elements_4(Scanner& in, TaggedDraft& tagged) {
   const BlockCounts counts = read_block_counts(in);
   std::uint64_t total = 0;
   for (std::uint64_t block = 0; block < counts.blocks; ++block) {
@@ -145,7 +139,7 @@ void pass_over(Scanner& in, std::string_view section) {
 
 }  // namespace
 
-Mesh parse_gmsh(const std::string& name, std::string_view bytes) {
+Draft parse_gmsh(const std::string& name, std::string_view bytes, Wanted wanted) {
   Scanner in(name, bytes);
   in.expect("$MeshFormat");
   const std::string_view version = in.word();
@@ -154,7 +148,7 @@ Mesh parse_gmsh(const std::string& name, std::string_view bytes) {
   in.expect("0");
   in.expect("8");
   in.expect("$EndMeshFormat");
-  TaggedMesh tagged;
+  TaggedDraft tagged{Draft(wanted), {}};
   bool nodes_seen = false;
   bool elements_seen = false;
   while (!in.at_end()) {
@@ -174,7 +168,7 @@ Mesh parse_gmsh(const std::string& name, std::string_view bytes) {
     }
   }
   if (!nodes_seen || !elements_seen) in.fail("the sections Nodes and Elements must be present");
-  return std::move(tagged.mesh);
+  return std::move(tagged.draft);
 }
 
 }  // namespace hexatlas::check

@@ -8,19 +8,12 @@ namespace hexatlas::check {
 
 namespace {
 
-constexpr std::uint64_t kVtkVertex = 1;
-constexpr std::uint64_t kVtkLine = 3;
-constexpr std::uint64_t kVtkQuad = 9;
-constexpr std::uint64_t kVtkHexahedron = 12;
-
-template <std::size_t size>
-std::array<std::uint32_t, size> corners(const VtkCells& cells, std::size_t cell) {
-  std::array<std::uint32_t, size> result{};
-  for (std::size_t i = 0; i < size; ++i) {
-    result[i] = static_cast<std::uint32_t>(cells.connectivity[cells.offsets[cell] + i]);
-  }
-  return result;
-}
+constexpr std::array<ShapeNumber, 6> kVtkShapes = {{{1, Shape::kVertex},
+                                                    {3, Shape::kLine},
+                                                    {5, Shape::kTriangle},
+                                                    {9, Shape::kQuad},
+                                                    {10, Shape::kTetrahedron},
+                                                    {12, Shape::kHexahedron}}};
 
 /// CELLS n size, then n rows "k i1 .. ik"; size counts all these numbers.
 void read_rows(Scanner& in, VtkCells& cells) {
@@ -67,20 +60,20 @@ void once(Scanner& in, bool& seen, std::string_view keyword) {
   seen = true;
 }
 
-void read_points(Scanner& in, Mesh& mesh) {
+void read_points(Scanner& in, Draft& draft) {
   const std::uint64_t count = in.count(6);
   const std::string_view type = in.word();
   if (type != "double" && type != "float") in.fail("points must be float or double");
-  mesh.points.reserve(count);
-  for (std::uint64_t i = 0; i < count; ++i) mesh.points.push_back(in.point());
+  draft.points.reserve(count);
+  for (std::uint64_t i = 0; i < count; ++i) draft.points.push_back(in.point());
 }
 
 /// True when only attributes follow; they carry no part of the mesh.
-bool read_section(Scanner& in, bool rows, Sections& seen, Mesh& mesh, VtkCells& cells) {
+bool read_section(Scanner& in, bool rows, Sections& seen, Draft& draft, VtkCells& cells) {
   const std::string_view keyword = in.word();
   if (keyword == "POINTS") {
     once(in, seen.points, keyword);
-    read_points(in, mesh);
+    read_points(in, draft);
   } else if (keyword == "CELLS") {
     once(in, seen.cells, keyword);
     rows ? read_rows(in, cells) : read_offsets_and_connectivity(in, cells);
@@ -101,7 +94,7 @@ bool read_section(Scanner& in, bool rows, Sections& seen, Mesh& mesh, VtkCells& 
 
 }  // namespace
 
-void add_vtk_cells(const VtkCells& cells, Mesh& mesh,
+void add_vtk_cells(const VtkCells& cells, Draft& draft,
                    const std::function<void(const std::string&)>& fail) {
   if (cells.offsets.size() != cells.types.size() + 1) {
     fail("the number of cells is not the number of cell types");
@@ -112,48 +105,53 @@ void add_vtk_cells(const VtkCells& cells, Mesh& mesh,
     fail("the offsets of the cells do not fit the connectivity");
   }
   for (const std::uint64_t vertex : cells.connectivity) {
-    if (vertex >= mesh.points.size()) {
+    if (vertex >= draft.points.size()) {
       fail("point " + std::to_string(vertex) + " is not among the " +
-           std::to_string(mesh.points.size()) + " points");
+           std::to_string(draft.points.size()) + " points");
     }
   }
   for (std::size_t cell = 0; cell < cells.types.size(); ++cell) {
     const std::uint64_t type = cells.types[cell];
     const std::uint64_t size = cells.offsets[cell + 1] - cells.offsets[cell];
-    if (type == kVtkHexahedron && size == 8) {
-      mesh.hexahedra.push_back(corners<8>(cells, cell));
-    } else if (type == kVtkQuad && size == 4) {
-      mesh.quads.push_back(corners<4>(cells, cell));
-    } else if (!(type == kVtkLine && size == 2) && !(type == kVtkVertex && size == 1)) {
+    const auto* const known =
+        std::find_if(kVtkShapes.begin(), kVtkShapes.end(),
+                     [type](const ShapeNumber& candidate) { return candidate.number == type; });
+    if (known == kVtkShapes.end() || size != corner_count(known->shape) ||
+        draft.refuses(known->shape)) {
       fail("cell " + std::to_string(cell) + " of VTK type " + std::to_string(type) + " with " +
-           std::to_string(size) + " vertices is neither a hexahedron nor a quad");
+           std::to_string(size) + " vertices is " + draft.refusal());
     }
+    std::array<std::uint32_t, 8> corners{};
+    for (std::size_t i = 0; i < size; ++i) {
+      corners[i] = static_cast<std::uint32_t>(cells.connectivity[cells.offsets[cell] + i]);
+    }
+    draft.add(known->shape, std::span(corners).first(size));
   }
 }
 
-Mesh parse_legacy_vtk(const std::string& name, std::string_view bytes) {
+Draft parse_legacy_vtk(const std::string& name, std::string_view bytes, Wanted wanted) {
   Scanner in(name, bytes);
-  for (const std::string_view wanted : {"#", "vtk", "DataFile", "Version"}) in.expect(wanted);
+  for (const std::string_view word : {"#", "vtk", "DataFile", "Version"}) in.expect(word);
   const std::string_view version = in.word();
   const bool rows = version == "2.0" || version == "3.0" || version == "4.2";
   if (!rows && version != "5.1") in.fail("unknown version " + in_quotes(version));
   in.skip_line();
   in.skip_line();
-  for (const std::string_view wanted : {"ASCII", "DATASET", "UNSTRUCTURED_GRID"}) {
-    in.expect(wanted);
+  for (const std::string_view word : {"ASCII", "DATASET", "UNSTRUCTURED_GRID"}) {
+    in.expect(word);
   }
-  Mesh mesh;
+  Draft draft(wanted);
   VtkCells cells;
   cells.offsets = {0};
   Sections seen;
   while (!in.at_end()) {
-    if (read_section(in, rows, seen, mesh, cells)) break;
+    if (read_section(in, rows, seen, draft, cells)) break;
   }
   if (!seen.points || !seen.cells || !seen.types) {
     in.fail("POINTS, CELLS and CELL_TYPES must all be present");
   }
-  add_vtk_cells(cells, mesh, [&in](const std::string& reason) { in.fail(reason); });
-  return mesh;
+  add_vtk_cells(cells, draft, [&in](const std::string& reason) { in.fail(reason); });
+  return draft;
 }
 
 }  // namespace hexatlas::check

@@ -1,4 +1,5 @@
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "tables/check/readers.hpp"
@@ -8,25 +9,40 @@ namespace hexatlas::check {
 
 namespace {
 
-/// Sections of cells of dimension 0 and 1 and of marks on them: numbers per row.
+/// Sections of marks on vertices and cells: numbers per row.
 constexpr std::array<std::pair<std::string_view, unsigned>, 6> kPassedOver = {
-    {{"Edges", 3},
-     {"Corners", 1},
+    {{"Corners", 1},
      {"Ridges", 1},
      {"RequiredVertices", 1},
      {"RequiredEdges", 1},
+     {"RequiredTriangles", 1},
      {"RequiredQuadrilaterals", 1}}};
 
-/// Rows of `size` vertices, counted from 1, and a reference.
-template <std::size_t size>
-void read_cells(Scanner& in, std::uint64_t points,
-                std::vector<std::array<std::uint32_t, size>>& cells) {
-  if (!cells.empty()) in.fail("a section of cells occurs twice");
-  const std::uint64_t count = in.count(2 * size);
-  cells.resize(count);
-  for (auto& cell : cells) {
-    for (std::uint32_t& vertex : cell) vertex = in.index(1, points);
+constexpr std::array<std::pair<std::string_view, Shape>, 6> kCells = {
+    {{"Edges", Shape::kLine},
+     {"Triangles", Shape::kTriangle},
+     {"Quadrilaterals", Shape::kQuad},
+     {"Quads", Shape::kQuad},
+     {"Tetrahedra", Shape::kTetrahedron},
+     {"Hexahedra", Shape::kHexahedron}}};
+
+/// The shape of the cells of a section, if it has any that are not refused.
+std::optional<Shape> shape_of(std::string_view section, const Draft& draft) {
+  for (const auto& [name, shape] : kCells) {
+    if (name == section && !draft.refuses(shape)) return shape;
+  }
+  return std::nullopt;
+}
+
+/// Rows of vertices, counted from 1, and a reference.
+void read_cells(Scanner& in, Shape shape, Draft& draft) {
+  std::array<std::uint32_t, 8> corners{};
+  const auto used = std::span(corners).first(corner_count(shape));
+  const std::uint64_t count = in.count(2 * used.size());
+  for (std::uint64_t cell = 0; cell < count; ++cell) {
+    for (std::uint32_t& vertex : used) vertex = in.index(1, draft.points.size());
     static_cast<void>(in.integer());
+    draft.add(shape, used);
   }
 }
 
@@ -51,7 +67,7 @@ void pass_over(Scanner& in, std::string_view keyword) {
 
 }  // namespace
 
-Mesh parse_medit(const std::string& name, std::string_view bytes) {
+Draft parse_medit(const std::string& name, std::string_view bytes, Wanted wanted) {
   Scanner in(name, bytes, '#');
   in.expect("MeshVersionFormatted");
   if (const std::uint64_t version = in.natural(); version < 1 || version > 4) {
@@ -59,20 +75,21 @@ Mesh parse_medit(const std::string& name, std::string_view bytes) {
   }
   in.expect("Dimension");
   in.expect("3");
-  Mesh mesh;
+  Draft draft(wanted);
+  std::array<bool, 6> seen{};
   for (std::string_view keyword = in.word(); keyword != "End"; keyword = in.word()) {
     if (keyword == "Vertices") {
-      read_vertices(in, mesh.points);
-    } else if (keyword == "Hexahedra") {
-      read_cells(in, mesh.points.size(), mesh.hexahedra);
-    } else if (keyword == "Quadrilaterals" || keyword == "Quads") {
-      read_cells(in, mesh.points.size(), mesh.quads);
+      read_vertices(in, draft.points);
+    } else if (const std::optional<Shape> shape = shape_of(keyword, draft)) {
+      if (seen[static_cast<std::size_t>(*shape)]) in.fail("a section of cells occurs twice");
+      seen[static_cast<std::size_t>(*shape)] = true;
+      read_cells(in, *shape, draft);
     } else {
       pass_over(in, keyword);
     }
   }
   if (!in.at_end()) in.fail("something follows End");
-  return mesh;
+  return draft;
 }
 
 }  // namespace hexatlas::check

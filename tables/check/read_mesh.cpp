@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <utility>
 
 #include "tables/check/file_bytes.hpp"
@@ -31,6 +33,7 @@ bool begins_like_legacy_vtk(const std::string& name, std::string_view bytes) {
 /// The ending of the format that the first bytes announce. OBJ has no heading: it is what remains.
 std::string announced_ending(const std::string& name, std::string_view bytes) {
   if (begins_like_legacy_vtk(name, bytes)) return ".vtk";
+  if (begins_like_hxtet(bytes)) return ".hxtet";
   Scanner in(name, bytes, '#');
   if (in.at_end()) throw Malformed(name, 0, "is empty");
   const std::string_view first = in.peek();
@@ -48,17 +51,69 @@ std::string format_of(const std::string& name, std::string_view bytes) {
   return given.empty() ? announced_ending(name, bytes) : given;
 }
 
+Draft parse_draft(const std::string& name, std::string_view bytes, Wanted wanted) {
+  const std::string format = format_of(name, bytes);
+  if (format == ".vtk") return parse_legacy_vtk(name, bytes, wanted);
+  if (format == ".vtu") return parse_vtu(name, bytes, wanted);
+  if (format == ".mesh") return parse_medit(name, bytes, wanted);
+  if (format == ".msh") return parse_gmsh(name, bytes, wanted);
+  if (format == ".hxtet" && wanted != Wanted::kHexahedra) return parse_hxtet(name, bytes, wanted);
+  const std::string known = wanted == Wanted::kHexahedra ? ".vtk, .vtu, .mesh or .msh"
+                                                         : ".vtk, .vtu, .mesh, .msh or .hxtet";
+  throw Malformed(name, 0,
+                  ending(name).empty()        ? "begins like no " + known + " file"
+                  : wanted == Wanted::kPoints ? "a file of points ends in .xyz, .bin, " + known
+                                              : "a mesh file ends in " + known);
+}
+
 }  // namespace
 
+std::size_t corner_count(Shape shape) {
+  constexpr std::array<std::size_t, 6> kCorners = {1, 2, 3, 4, 4, 8};
+  return kCorners[static_cast<std::size_t>(shape)];
+}
+
+bool Draft::refuses(Shape shape) const {
+  switch (shape) {
+    case Shape::kTriangle:
+    case Shape::kTetrahedron:
+      return wanted_ == Wanted::kHexahedra;
+    case Shape::kHexahedron:
+      return wanted_ == Wanted::kTetrahedra;
+    default:
+      return false;
+  }
+}
+
+void Draft::add(Shape shape, std::span<const std::uint32_t> corners) {
+  const auto append = [&corners](auto& cells) {
+    std::copy(corners.begin(), corners.end(), cells.emplace_back().begin());
+  };
+  if (wanted_ == Wanted::kHexahedra && shape == Shape::kHexahedron) append(hexahedra);
+  if (wanted_ == Wanted::kHexahedra && shape == Shape::kQuad) append(quads);
+  if (wanted_ == Wanted::kTetrahedra && shape == Shape::kTetrahedron) append(tetrahedra);
+}
+
+const char* Draft::refusal() const {
+  if (wanted_ == Wanted::kHexahedra) return "neither a hexahedron nor a quad";
+  return wanted_ == Wanted::kTetrahedra ? "no tetrahedron" : "of no known kind";
+}
+
 Mesh parse_mesh(const std::string& name, std::string_view bytes) {
+  Draft draft = parse_draft(name, bytes, Wanted::kHexahedra);
+  return {std::move(draft.points), std::move(draft.hexahedra), std::move(draft.quads)};
+}
+
+TetrahedralMesh parse_tetrahedra(const std::string& name, std::string_view bytes) {
+  Draft draft = parse_draft(name, bytes, Wanted::kTetrahedra);
+  return {std::move(draft.points), std::move(draft.tetrahedra)};
+}
+
+std::vector<Point> parse_points(const std::string& name, std::string_view bytes) {
   const std::string format = format_of(name, bytes);
-  if (format == ".vtk") return parse_legacy_vtk(name, bytes);
-  if (format == ".vtu") return parse_vtu(name, bytes);
-  if (format == ".mesh") return parse_medit(name, bytes);
-  if (format == ".msh") return parse_gmsh(name, bytes);
-  throw Malformed(name, 0,
-                  ending(name).empty() ? "begins like no .vtk, .vtu, .mesh or .msh file"
-                                       : "a mesh file ends in .vtk, .vtu, .mesh or .msh");
+  if (format == ".bin") return parse_bin(name, bytes);
+  if (format == ".xyz" || (ending(name).empty() && format == ".obj")) return parse_xyz(name, bytes);
+  return parse_draft(name, bytes, Wanted::kPoints).points;
 }
 
 Surface parse_surface(const std::string& name, std::string_view bytes) {
@@ -76,6 +131,14 @@ Mesh read_mesh(const std::filesystem::path& path) {
 
 Surface read_surface(const std::filesystem::path& path) {
   return parse_surface(name_of_file(path), bytes_of_file(path));
+}
+
+TetrahedralMesh read_tetrahedra(const std::filesystem::path& path) {
+  return parse_tetrahedra(name_of_file(path), bytes_of_file(path));
+}
+
+std::vector<Point> read_points(const std::filesystem::path& path) {
+  return parse_points(name_of_file(path), bytes_of_file(path));
 }
 
 }  // namespace hexatlas::check

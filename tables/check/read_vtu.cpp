@@ -89,12 +89,12 @@ class VtuReader {
     little_ = order == "LittleEndian";
   }
 
-  [[nodiscard]] Mesh mesh() const {
+  [[nodiscard]] Draft draft(Wanted wanted) const {
     const pugi::xml_node piece = only_child(only_child(root_, "UnstructuredGrid"), "Piece");
     const std::uint64_t points = number(piece, "NumberOfPoints");
     const std::uint64_t cells = number(piece, "NumberOfCells");
-    Mesh mesh;
-    read_points(only_child(only_child(piece, "Points"), "DataArray"), points, mesh.points);
+    Draft draft(wanted);
+    read_points(only_child(only_child(piece, "Points"), "DataArray"), points, draft.points);
     const pugi::xml_node node = only_child(piece, "Cells");
     VtkCells read;
     read.types = integers(array_named(node, "types"), cells);
@@ -102,8 +102,8 @@ class VtuReader {
     read.offsets.insert(read.offsets.begin(), 0);
     const std::uint64_t size = read.offsets.back();
     read.connectivity = integers(array_named(node, "connectivity"), size);
-    add_vtk_cells(read, mesh, [&](const std::string& reason) { file_.fail(node, reason); });
-    return mesh;
+    add_vtk_cells(read, draft, [&](const std::string& reason) { file_.fail(node, reason); });
+    return draft;
   }
 
  private:
@@ -251,9 +251,9 @@ class VtuReader {
 
 }  // namespace
 
-Mesh parse_vtu(const std::string& name, std::string_view bytes) {
+Draft parse_vtu(const std::string& name, std::string_view bytes, Wanted wanted) {
   const VtuFile file(name, bytes);
-  return VtuReader(file).mesh();
+  return VtuReader(file).draft(wanted);
 }
 
 }  // namespace hexatlas::check

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,10 +13,53 @@
 
 namespace hexatlas::check {
 
-[[nodiscard]] Mesh parse_legacy_vtk(const std::string& name, std::string_view bytes);
-[[nodiscard]] Mesh parse_vtu(const std::string& name, std::string_view bytes);
-[[nodiscard]] Mesh parse_medit(const std::string& name, std::string_view bytes);
-[[nodiscard]] Mesh parse_gmsh(const std::string& name, std::string_view bytes);
+enum class Shape : std::uint8_t { kVertex, kLine, kTriangle, kQuad, kTetrahedron, kHexahedron };
+
+/// How a format calls a shape: by a number.
+struct ShapeNumber {
+  std::uint64_t number;
+  Shape shape;
+};
+
+[[nodiscard]] std::size_t corner_count(Shape shape);
+
+/// What of a file is wanted, and so which cells are kept, passed over and refused.
+enum class Wanted : std::uint8_t {
+  kHexahedra,   ///< hexahedra and quads kept, vertices and lines passed over, others refused
+  kTetrahedra,  ///< tetrahedra kept, cells of lower dimension passed over, others refused
+  kPoints,      ///< every known cell passed over
+};
+
+/// What has been read of a file so far.
+class Draft {
+ public:
+  explicit Draft(Wanted wanted) : wanted_(wanted) {}
+
+  std::vector<Point> points;
+  std::vector<Hexahedron> hexahedra;
+  std::vector<Quad> quads;
+  std::vector<Tetrahedron> tetrahedra;
+
+  [[nodiscard]] bool refuses(Shape shape) const;
+  /// Keeps a cell or passes it over. Its shape must not be refused.
+  void add(Shape shape, std::span<const std::uint32_t> corners);
+  /// What a cell is that is refused.
+  [[nodiscard]] const char* refusal() const;
+
+ private:
+  Wanted wanted_;
+};
+
+[[nodiscard]] Draft parse_legacy_vtk(const std::string& name, std::string_view bytes,
+                                     Wanted wanted);
+[[nodiscard]] Draft parse_vtu(const std::string& name, std::string_view bytes, Wanted wanted);
+[[nodiscard]] Draft parse_medit(const std::string& name, std::string_view bytes, Wanted wanted);
+[[nodiscard]] Draft parse_gmsh(const std::string& name, std::string_view bytes, Wanted wanted);
+[[nodiscard]] Draft parse_hxtet(const std::string& name, std::string_view bytes, Wanted wanted);
+/// Whether the bytes begin like a .hxtet file.
+[[nodiscard]] bool begins_like_hxtet(std::string_view bytes);
+[[nodiscard]] std::vector<Point> parse_xyz(const std::string& name, std::string_view bytes);
+[[nodiscard]] std::vector<Point> parse_bin(const std::string& name, std::string_view bytes);
 [[nodiscard]] Surface parse_obj(const std::string& name, std::string_view bytes);
 [[nodiscard]] Surface parse_off(const std::string& name, std::string_view bytes);
 
@@ -27,9 +71,9 @@ struct VtkCells {
   std::vector<std::uint64_t> types;
 };
 
-/// Appends the hexahedra and quads of `cells` to `mesh`, whose points are complete. Says what is
-/// wrong by `fail`, which does not return.
-void add_vtk_cells(const VtkCells& cells, Mesh& mesh,
+/// Adds `cells` to `draft`, whose points are complete. Says what is wrong by `fail`, which does not
+/// return.
+void add_vtk_cells(const VtkCells& cells, Draft& draft,
                    const std::function<void(const std::string&)>& fail);
 
 }  // namespace hexatlas::check

@@ -39,6 +39,12 @@ hexatlas_test(tables_check_mesh_check_test fast
 hexatlas_test(tables_check_read_mesh_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/read_mesh_test.cpp
   USES tables_check)
+hexatlas_test(tables_check_delaunay_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/delaunay_check_test.cpp
+  USES tables_check)
+hexatlas_test(sabotage_delaunay_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/delaunay_sabotage_test.cpp
+  USES tables_check)
 hexatlas_test(tables_check_quad_code_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/quad_code_test.cpp
   USES tables_check)
