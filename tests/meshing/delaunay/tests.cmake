@@ -1,0 +1,9 @@
+hexatlas_test(meshing_delaunay_test fast
+  SOURCES delaunay/triangulation_test.cpp delaunay/degenerate_test.cpp
+  USES meshing_delaunay realize_exact)
+hexatlas_test(meshing_delaunay_laws_test fast
+  SOURCES delaunay/laws_test.cpp
+  USES meshing_delaunay realize_exact)
+hexatlas_test(meshing_delaunay_large_test long
+  SOURCES delaunay/large_test.cpp
+  USES meshing_delaunay realize_exact)
