@@ -7,3 +7,9 @@ hexatlas_test(meshing_delaunay_laws_test fast
 hexatlas_test(meshing_delaunay_large_test long
   SOURCES delaunay/large_test.cpp
   USES meshing_delaunay realize_exact)
+hexatlas_test(meshing_delaunay_queries_test fast
+  SOURCES delaunay/queries_test.cpp
+  USES meshing_delaunay realize_exact)
+hexatlas_test(meshing_delaunay_parts_test fast
+  SOURCES delaunay/four_facets_test.cpp delaunay/space_order_test.cpp
+  USES meshing_delaunay realize_exact)
