@@ -19,3 +19,8 @@ hexatlas_test(meshing_delaunay_threads_test threads
 hexatlas_test(meshing_delaunay_many_threads_test long
   SOURCES delaunay/many_threads_test.cpp
   USES meshing_delaunay realize_exact)
+if(TARGET hexatlas_cgal)
+  hexatlas_test(meshing_delaunay_cgal_test fast
+    SOURCES delaunay/cgal_test.cpp
+    USES meshing_delaunay hexatlas_cgal)
+endif()
