@@ -57,6 +57,8 @@ class Triangulation {
   using Tetrahedron = std::array<Index, 4>;  ///< right-handed: det(b - a, c - a, d - a) > 0
 
   explicit Triangulation(std::span<const mesh::Point> points, const Options& options = {});
+  Triangulation(const Triangulation&) = delete;
+  Triangulation& operator=(const Triangulation&) = delete;
   Triangulation(Triangulation&&) noexcept;
   Triangulation& operator=(Triangulation&&) noexcept;
   ~Triangulation();

@@ -42,7 +42,6 @@ TEST(ManyThreads, ATetrahedronFullOfPoints) {
 TEST(ManyThreads, Surfaces) {
   Random random(20261273);
   expect_same(sphere(30000, random));
-  expect_same(paraboloid(20000, random));
 }
 
 TEST(ManyThreads, Lattices) {

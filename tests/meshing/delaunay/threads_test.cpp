@@ -31,7 +31,7 @@ void expect_same(const Cloud& points, std::initializer_list<int> numbers_of_thre
 /// Few of a round's points are duplicates; some are on the hull.
 TEST(DelaunayThreads, GeneralPosition) {
   Random random(20261261);
-  expect_same(uniform(20000, random), {2, 3, 5});
+  expect_same(uniform(14000, random), {2, 4});
 }
 
 /// Nearly all tetrahedra are at the hull.
@@ -43,7 +43,7 @@ TEST(DelaunayThreads, Surface) {
 /// Coplanar facets of the hull, ties everywhere.
 TEST(DelaunayThreads, Lattice) {
   Random random(20261263);
-  expect_same(with_duplicates(grid(22, 1), random), {2, 4});
+  expect_same(with_duplicates(grid(22, 1), random), {4});
 }
 
 /// Many points have the same key.
