@@ -1,5 +1,5 @@
 // Claim. Any number of threads gives the same tetrahedra. Sizes are such that all threads have
-// parts of at least two rounds.
+// parts of the last round, and once of what is left of it.
 // Oracle. One thread.
 #include <gtest/gtest.h>
 
