@@ -23,3 +23,17 @@ target_link_libraries(hexatlas_cadical INTERFACE ${HEXATLAS_CADICAL_LIBRARY})
 if(HEXATLAS_OPENMP)
   find_package(OpenMP REQUIRED COMPONENTS CXX)
 endif()
+# CGAL's triangulations are a second road for one test; its headers ask for GMP and MPFR. Not by
+# find_package, which would bring flags of its own.
+if(HEXATLAS_TESTS)
+  find_path(HEXATLAS_CGAL_INCLUDE CGAL/Delaunay_triangulation_3.h)
+  pkg_check_modules(mpfr IMPORTED_TARGET mpfr)
+  if(HEXATLAS_CGAL_INCLUDE AND mpfr_FOUND)
+    add_library(hexatlas_cgal INTERFACE)
+    target_include_directories(hexatlas_cgal SYSTEM INTERFACE ${HEXATLAS_CGAL_INCLUDE})
+    target_link_libraries(hexatlas_cgal INTERFACE PkgConfig::mpfr PkgConfig::gmp Boost::headers)
+    target_compile_options(hexatlas_cgal INTERFACE -frounding-math)  # its intervals need it
+  else()
+    message(STATUS "CGAL not found: meshing_delaunay_cgal_test is not built")
+  endif()
+endif()

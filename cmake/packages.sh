@@ -12,7 +12,7 @@ build_packages=(
 )
 # Tests, sanitizers and fuzzing, static analysis, and programs that read our files as a second road.
 test_packages=(
-  libgtest-dev librapidcheck-dev libbenchmark-dev python3
+  libgtest-dev librapidcheck-dev libbenchmark-dev libcgal-dev libmpfr-dev python3
   clang libclang-rt-14-dev libomp-14-dev clang-tidy
   gmsh python3-vtk9 git chromium
 )

@@ -1,8 +1,10 @@
 #include "meshing/delaunay/builder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 #include "enum/core/checks.hpp"
 #include "enum/parallel/parallel_for.hpp"
@@ -29,6 +31,15 @@ bool are_collinear(const Point3& a, const Point3& b, const Point3& c) {
              Sign::zero;
 }
 
+/// The points that are at the place of another that counts. For those that span no space.
+std::size_t count_equal(std::span<const mesh::Point> points) {
+  std::vector<mesh::Point> sorted(points.begin(), points.end());
+  std::sort(sorted.begin(), sorted.end(), [](const mesh::Point& p, const mesh::Point& q) {
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+  });
+  return static_cast<std::size_t>(sorted.end() - std::unique(sorted.begin(), sorted.end()));
+}
+
 }  // namespace
 
 template <class Index>
@@ -49,7 +60,10 @@ Builder<Index>::Builder(std::span<const mesh::Point> points, std::uint64_t seed,
   }
   for (int t = 0; t < threads; ++t) inserters_.emplace_back(cells_, sites_.data(), bytes_.data());
   std::array<Index, 4> first{};
-  if (!find_first_four(first)) return;
+  if (!find_first_four(first)) {
+    duplicates_ = count_equal(points);
+    return;
+  }
   cells_.reserve(kCellsPerPoint * sites + kSpareCells);
   inserters_.front().begin(first);
   insert_rounds(order.rounds, first);
@@ -183,15 +197,18 @@ std::vector<Index> Builder<Index>::inserted_in_parts(std::span<const Index> pend
   return left;
 }
 
-/// A cell within the region, near some of its sites, or kNone.
+/// A cell within the region, near some of its sites, or kNone. No facet of the hull: a walk begins
+/// in the tetrahedron below, of which a vertex may lie outside.
 template <class Index>
 Index Builder<Index>::start_in(const Region& region, std::span<const Index> sites) {
   constexpr std::size_t kTries = 8;
   for (std::size_t i = 0; i < kTries && !sites.empty(); ++i) {
-    const Index cell = inserter().located(sites_[sites[i * sites.size() / kTries]]);
+    Index cell = inserter().located(sites_[sites[i * sites.size() / kTries]]);
+    if (const unsigned ghost = cells_[cell].ghost(); ghost < 4)
+      cell = cells_[cell].neighbors[ghost] / 4;
     const auto& vertices = cells_[cell].vertices;
     if (std::all_of(vertices.begin(), vertices.end(),
-                    [&](Index v) { return v == kGhost || region.has(sites_[v]); }))
+                    [&](Index v) { return region.has(sites_[v]); }))
       return cell;
   }
   return kNone;
@@ -200,6 +217,8 @@ Index Builder<Index>::start_in(const Region& region, std::span<const Index> site
 template <class Index>
 Index Builder<Index>::add(const mesh::Point& point) {
   core::expects(dimension_ == 3, "the points so far span space");
+  core::expects(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z),
+                "finite coordinates");
   const std::size_t site = points_.size();
   if (site == sites_.capacity()) sites_.resize(site + site / 4 + 1);
   sites_[site] = {point.x, point.y, point.z, 0};

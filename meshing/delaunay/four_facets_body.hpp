@@ -6,6 +6,7 @@
 
 namespace hexatlas::delaunay {
 namespace {
+// NOLINTBEGIN(misc-definitions-in-headers): each includer is meant to have its own
 
 using Lanes [[gnu::vector_size(32)]] = double;
 using LaneBits [[gnu::vector_size(32)]] = long long;
@@ -33,7 +34,7 @@ inline Rows relative(const FourSites& sites, const Site& p) {
   const Lanes cd_xz = __builtin_shufflevector(c, d, 0, 4, 2, 6);
   const Lanes ab_y = __builtin_shufflevector(a, b, 1, 5, 3, 7);
   const Lanes cd_y = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  Rows rows;
+  Rows rows{};
   rows.x = __builtin_shufflevector(ab_xz, cd_xz, 0, 1, 4, 5) - p.x;
   rows.y = __builtin_shufflevector(ab_y, cd_y, 0, 1, 4, 5) - p.y;
   rows.z = __builtin_shufflevector(ab_xz, cd_xz, 2, 3, 6, 7) - p.z;
@@ -91,5 +92,6 @@ FacetSigns conflict(const FourSites& corners, const FourSites& apexes, const Sit
   return signs_of(value, kSphereBound * (squared * squared * most) + kUnderflow);
 }
 
+// NOLINTEND(misc-definitions-in-headers)
 }  // namespace
 }  // namespace hexatlas::delaunay

@@ -96,7 +96,7 @@ class Inserter {
   };
   using Numbers = std::array<std::uint32_t, 3>;
   struct Neighbors {
-    FourSites corners, apexes;
+    FourSites corners{}, apexes{};
     unsigned alive = 0;  ///< those that are not doomed, a bit for each facet
   };
 

@@ -4,8 +4,9 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <functional>
 #include <numeric>
-#include <ranges>
+#include <span>
 
 #include "enum/core/random.hpp"
 #include "enum/parallel/parallel_for.hpp"
@@ -66,10 +67,12 @@ std::uint64_t hilbert_key(const std::array<std::uint32_t, 3>& cell, unsigned lev
 /// A cube with 2^levels cells along each axis, around some points.
 class Grid {
  public:
-  template <class Range>
-  Grid(const Range& points, unsigned levels) : levels_(levels) {
-    mesh::Point high = low_ = *points.begin();
-    for (const mesh::Point& p : points) {
+  /// at(item) is the point of an item.
+  template <class Item, class At>
+  Grid(std::span<const Item> items, At&& at, unsigned levels) : levels_(levels) {
+    mesh::Point high = low_ = at(items.front());
+    for (const Item& item : items) {
+      const mesh::Point& p = at(item);
       low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y), std::min(low_.z, p.z)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
@@ -122,7 +125,7 @@ void refine(std::span<Placed> group, std::span<const mesh::Point> points) {
   constexpr unsigned kLevels = 10;
   if (group.size() <= kFew) return;
   const auto at = [&](const Placed& p) -> const mesh::Point& { return points[p.point]; };
-  const Grid grid(std::views::transform(group, at), kLevels);
+  const Grid grid(std::span<const Placed>(group), at, kLevels);
   std::vector<Placed> sorted;
   sorted.reserve(group.size());
   for (const Placed& p : group) sorted.push_back({grid.key_of(at(p)), p.point});
@@ -142,7 +145,7 @@ SpaceOrder space_order(std::span<const mesh::Point> points, std::uint64_t seed, 
   const auto bits = static_cast<unsigned>(std::bit_width(points.size()));
   const unsigned levels = std::min(kMostLevels, bits / 3 + kExtraLevels);
   const unsigned rounds = 1 + (bits > kFirstRoundBits ? (bits - kFirstRoundBits) / kRoundBits : 0);
-  const Grid grid(points, levels);
+  const Grid grid(points, std::identity(), levels);
   order.points.resize(points.size());
   const auto place = [&](std::size_t i) {
     const auto zeros = static_cast<unsigned>(std::countl_zero(core::mixed(seed + i)));

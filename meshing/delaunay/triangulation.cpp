@@ -149,7 +149,6 @@ std::vector<Tetrahedron> Triangulation::star(Index point) {
 }
 
 Triangulation::Index Triangulation::insert(const mesh::Point& place) {
-  core::expects(is_finite(place), "finite coordinates");
   return std::visit([&](auto& b) { return b->point_of(b->add(place)); }, builder_);
 }
 

@@ -57,6 +57,8 @@ class Triangulation {
   using Tetrahedron = std::array<Index, 4>;  ///< right-handed: det(b - a, c - a, d - a) > 0
 
   explicit Triangulation(std::span<const mesh::Point> points, const Options& options = {});
+  Triangulation(const Triangulation&) = delete;
+  Triangulation& operator=(const Triangulation&) = delete;
   Triangulation(Triangulation&&) noexcept;
   Triangulation& operator=(Triangulation&&) noexcept;
   ~Triangulation();
@@ -88,7 +90,7 @@ class Triangulation {
   Index insert(const mesh::Point& place);
   /// Asks for each tetrahedron, old or new, whether a point should be inserted because of it, and
   /// where; until nobody wants one, or `most` were inserted. The answer is their number. The order
-  /// of asking depends on the threads that were used before.
+  /// of asking depends on the threads that were used before. Requires finite wishes.
   std::size_t refine(
       const std::function<std::optional<mesh::Point>(const std::array<mesh::Point, 4>& corners)>&
           wish,
