@@ -19,8 +19,8 @@ constexpr unsigned kExtraLevels = 3;      // finer than one point per cell, for 
 constexpr unsigned kFirstRoundBits = 10;  // about 2^10 points in the first round
 constexpr unsigned kRoundBits = 3;        // a round has 2^3 times as many as all before
 
-/// The curve within an octant is the whole curve, turned: entry is the corner where it comes in,
-/// axis the direction in which it leaves. One state for each pair.
+/// A Hilbert curve, turned: entry is the corner of its cube where it comes in; it leaves at the
+/// neighbour of this corner along the axis. One state for each pair.
 struct Step {
   std::uint8_t digit, state;
 };
@@ -51,15 +51,44 @@ constexpr auto kSteps = [] {
   return steps;
 }();
 
-std::uint64_t hilbert_key(const std::array<std::uint32_t, 3>& cell, unsigned levels) {
-  std::uint64_t key = 0;
-  unsigned state = 0;
-  for (unsigned level = levels; level-- > 0;) {
-    const unsigned octant =
-        (cell[0] >> level & 1U) | (cell[1] >> level & 1U) << 1U | (cell[2] >> level & 1U) << 2U;
-    const Step step = kSteps[state][octant];
+/// The closed curve: the octants in the order of a cyclic Gray code, in each a Hilbert curve that
+/// leaves where the next one comes in. Searched, since there are few.
+class MooreCurve {
+ public:
+  constexpr MooreCurve() {
+    for (unsigned entry = 0; entry < 8; ++entry)
+      if (is_closed_from(0, entry, entry)) return;
+  }
+  /// By octants.
+  [[nodiscard]] constexpr const std::array<Step, 8>& steps() const { return steps_; }
+
+ private:
+  constexpr bool is_closed_from(unsigned digit, unsigned entry, unsigned first_entry) {
+    if (digit == 8) return entry == first_entry;
+    const unsigned octant = gray(digit), next = gray((digit + 1) % 8);
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const unsigned exit = entry ^ 1U << axis;
+      if (((exit ^ next) & (octant ^ next)) != 0) continue;  // not beside the next octant
+      steps_[octant] = {static_cast<std::uint8_t>(digit),
+                        static_cast<std::uint8_t>(entry | axis << 3U)};
+      if (is_closed_from(digit + 1, exit ^ octant ^ next, first_entry)) return true;
+    }
+    return false;
+  }
+  std::array<Step, 8> steps_{};
+};
+
+constexpr MooreCurve kMoore;
+
+std::uint64_t curve_key(const std::array<std::uint32_t, 3>& cell, unsigned levels) {
+  const auto octant_at = [&](unsigned level) {
+    return (cell[0] >> level & 1U) | (cell[1] >> level & 1U) << 1U | (cell[2] >> level & 1U) << 2U;
+  };
+  Step step = kMoore.steps()[octant_at(levels - 1)];
+  std::uint64_t key = step.digit;
+  for (unsigned level = levels - 1; level-- > 0;) {
+    step = kSteps[step.state][octant_at(level)];
     key = key << 3U | step.digit;
-    state = step.state;
   }
   return key;
 }
@@ -80,7 +109,7 @@ class Grid {
     if (width_ == 0) width_ = 1;
   }
   [[nodiscard]] std::uint64_t key_of(const mesh::Point& p) const {
-    return hilbert_key({cell(p.x, low_.x), cell(p.y, low_.y), cell(p.z, low_.z)}, levels_);
+    return curve_key({cell(p.x, low_.x), cell(p.y, low_.y), cell(p.z, low_.z)}, levels_);
   }
 
  private:

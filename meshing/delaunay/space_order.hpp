@@ -4,10 +4,10 @@
 ///
 /// Definition. Points are dealt into rounds, each about eight times as large as the one before,
 /// by a random choice that depends on their numbers and a seed only; within a round they follow a
-/// Hilbert curve through the bounding box. So a point is near the one before it, and whatever the
-/// input is, each prefix of rounds is a random sample.
-/// Sources: N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO" (2003); the curve by
-/// C. Hamilton, A. Rau-Chaplin, "Compact Hilbert indices" (2008).
+/// Moore curve through the bounding box: a closed curve of eight Hilbert curves. So a point is near
+/// the one before it, and whatever the input is, each prefix of rounds is a random sample. Sources:
+/// N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO" (2003); the curve by C.
+/// Hamilton, A. Rau-Chaplin, "Compact Hilbert indices" (2008).
 ///
 /// Cost: linear, some 100 ns per point.
 

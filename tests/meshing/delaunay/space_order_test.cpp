@@ -67,6 +67,21 @@ TEST(SpaceOrder, IsAPermutationInRounds) {
   }
 }
 
+TEST(SpaceOrder, IsAClosedCurveThroughNeighbours) {
+  for (const int side : {2, 4, 8}) {
+    Cloud grid;
+    for (int i = 0; i < side * side * side; ++i)
+      grid.push_back({static_cast<double>(i % side), static_cast<double>(i / side % side),
+                      static_cast<double>(i / side / side)});
+    const SpaceOrder order = space_order(grid, 3, 1);
+    ASSERT_EQ(order.rounds.size(), 2U);
+    for (std::size_t i = 0; i < grid.size(); ++i)
+      EXPECT_EQ(
+          distance(grid[order.points[i].point], grid[order.points[(i + 1) % grid.size()].point]), 1)
+          << side << ' ' << i;
+  }
+}
+
 TEST(SpaceOrder, RoundsGrowAndAreSamples) {
   Random random(20261252);
   const Cloud points = uniform(100000, random);
