@@ -48,7 +48,7 @@ Builder<Index>::Builder(std::span<const mesh::Point> points, std::uint64_t seed,
   const std::size_t sites = points.size() + kFirstSite;
   sites_.resize(sites);
   points_.resize(sites);
-  bytes_.resize(sites);
+  claims_.resize(sites);
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   sites_[kNone] = sites_[kGhost] = {kNowhere, kNowhere, kNowhere, 0};
   const SpaceOrder order = space_order(points, seed, threads);
@@ -58,7 +58,7 @@ Builder<Index>::Builder(std::span<const mesh::Point> points, std::uint64_t seed,
     sites_[i + kFirstSite] = {p.x, p.y, p.z, placed.key};
     points_[i + kFirstSite] = placed.point;
   }
-  for (int t = 0; t < threads; ++t) inserters_.emplace_back(cells_, sites_.data(), bytes_.data());
+  for (int t = 0; t < threads; ++t) inserters_.emplace_back(cells_, sites_.data(), claims_.data());
   std::array<Index, 4> first{};
   if (!find_first_four(first)) {
     duplicates_ = count_equal(points);
@@ -223,9 +223,9 @@ Index Builder<Index>::add(const mesh::Point& point) {
   if (site == sites_.capacity()) sites_.resize(site + site / 4 + 1);
   sites_[site] = {point.x, point.y, point.z, 0};
   points_.push_back(static_cast<mesh::Index>(site - kFirstSite));
-  bytes_.push_back(0);
+  claims_.push_back({});
   sites_of_points_.clear();
-  inserter().use(sites_.data(), bytes_.data());
+  inserter().use(sites_.data(), claims_.data());
   const auto added = static_cast<Index>(site);
   if (inserter().insert(added) == Outcome::inserted) return added;
   note_duplicate(added, inserter().twin());

@@ -69,7 +69,7 @@ class Builder {
   Cells<Index> cells_;
   PageBuffer<Site> sites_;
   std::vector<mesh::Index> points_;
-  std::vector<std::uint8_t> bytes_;
+  std::vector<typename LocalVertices<Index>::Claim> claims_;
   std::vector<Inserter<Index>> inserters_;
   std::vector<Index> sites_of_points_;  ///< filled when first asked for
   std::size_t duplicates_ = 0;

@@ -25,13 +25,13 @@ constexpr std::size_t kAtOnce = 4096;  // cells taken from the common store
 }  // namespace
 
 template <class Index>
-Inserter<Index>::Inserter(Cells<Index>& cells, const Site* sites, std::uint8_t* bytes)
-    : cells_(cells), sites_(sites), signs_(four_facets()), locals_(bytes), edges_(kEdges) {}
+Inserter<Index>::Inserter(Cells<Index>& cells, const Site* sites, Claim* claims)
+    : cells_(cells), sites_(sites), signs_(four_facets()), locals_(claims), edges_(kEdges) {}
 
 template <class Index>
-void Inserter<Index>::use(const Site* sites, std::uint8_t* bytes) noexcept {
+void Inserter<Index>::use(const Site* sites, Claim* claims) noexcept {
   sites_ = sites;
-  locals_.use(bytes);
+  locals_.use(claims);
 }
 
 template <class Index>
@@ -277,24 +277,22 @@ void Inserter<Index>::fill(Index site) {
 template <class Index>
 void Inserter<Index>::link() {
   constexpr unsigned kMost = LocalVertices<Index>::kMost;
+  Index* const edges = edges_.data();
   locals_.clear();
   for (std::size_t i = 0; i < facet_count_; ++i) {
     if (!locals_.has_room_for(3)) return link_by_sorting();
-    const auto& v = facets_[i].vertices;
-    const unsigned a = locals_.number_of(v[0]), b = locals_.number_of(v[1]),
-                   c = locals_.number_of(v[2]);
+    const auto [a, b, c] = numbers_[i] = locals_.numbers_of(facets_[i].vertices);
     const Index at = 4 * new_cells_[i];
-    numbers_[i] = {a, b, c};
-    edges_[kMost * b + c] = at + 1;
-    edges_[kMost * c + a] = at + 2;
-    edges_[kMost * a + b] = at + 3;
+    edges[kMost * b + c] = at + 1;
+    edges[kMost * c + a] = at + 2;
+    edges[kMost * a + b] = at + 3;
   }
   for (std::size_t i = 0; i < facet_count_; ++i) {
     const auto [a, b, c] = numbers_[i];
     auto& neighbors = cells_[new_cells_[i]].neighbors;
-    neighbors[1] = edges_[kMost * c + b];
-    neighbors[2] = edges_[kMost * a + c];
-    neighbors[3] = edges_[kMost * b + a];
+    neighbors[1] = edges[kMost * c + b];
+    neighbors[2] = edges[kMost * a + c];
+    neighbors[3] = edges[kMost * b + a];
   }
 }
 

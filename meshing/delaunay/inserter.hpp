@@ -47,8 +47,10 @@ struct Region {
 template <class Index>
 class Inserter {
  public:
-  /// `bytes`: one for each site, for LocalVertices.
-  Inserter(Cells<Index>& cells, const Site* sites, std::uint8_t* bytes);
+  using Claim = typename LocalVertices<Index>::Claim;
+
+  /// Claims: one for each site.
+  Inserter(Cells<Index>& cells, const Site* sites, Claim* claims);
 
   /// The five tetrahedra on four sites and the ghost vertex. Requires: no cells; right-handed.
   void begin(const std::array<Index, 4>& sites);
@@ -64,8 +66,8 @@ class Inserter {
     is_confined_ = true;
   }
   void release() noexcept { is_confined_ = false; }
-  /// Sites and bytes have moved; there may be more of them.
-  void use(const Site* sites, std::uint8_t* bytes) noexcept;
+  /// Sites and claims have moved; there may be more of them.
+  void use(const Site* sites, Claim* claims) noexcept;
 
   /// After `duplicate`: the vertex at the same place.
   [[nodiscard]] Index twin() const noexcept { return twin_; }

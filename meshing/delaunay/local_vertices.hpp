@@ -20,28 +20,40 @@ class LocalVertices {
  public:
   static constexpr unsigned kMost = 64;
 
-  /// One byte for each vertex; their values do not matter. That of the ghost vertex is not used.
-  explicit LocalVertices(std::uint8_t* bytes) : bytes_(bytes) { vertices_[0] = kGhost; }
+  /// One for each vertex; their values do not matter. That of the ghost vertex is not used. Not a
+  /// type of characters, which might be anything's representation for all the compiler knows.
+  enum class Claim : std::uint8_t {};
 
-  void use(std::uint8_t* bytes) noexcept { bytes_ = bytes; }
+  explicit LocalVertices(Claim* claims) : claims_(claims) { vertices_[0] = kGhost; }
+  void use(Claim* claims) noexcept { claims_ = claims; }
+
   void clear() noexcept { count_ = 1; }
   [[nodiscard]] bool has_room_for(unsigned more) const noexcept { return count_ + more <= kMost; }
 
-  /// Requires room for one more.
-  [[nodiscard]] unsigned number_of(Index v) noexcept {
-    std::uint8_t& byte = v == kGhost ? ghost_byte_ : bytes_[v];
-    const unsigned claimed = byte % kMost;
-    const bool is_known = claimed < count_ && vertices_[claimed] == v;
-    const unsigned number = is_known ? claimed : count_;
-    vertices_[number] = v;
-    byte = static_cast<std::uint8_t>(number);
-    count_ += static_cast<unsigned>(!is_known);
-    return number;
+  /// The numbers of the vertices. Requires room for all.
+  template <std::size_t kCount>
+  [[nodiscard]] std::array<std::uint32_t, kCount> numbers_of(
+      const std::array<Index, kCount>& vertices) noexcept {
+    std::array<std::uint32_t, kCount> numbers{};
+    unsigned count = count_;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const Index v = vertices[i];
+      Claim* const claim = v == kGhost ? &ghost_claim_ : claims_ + v;
+      const unsigned claimed = static_cast<unsigned>(*claim) % kMost;
+      const bool is_known = (claimed < count) & (vertices_[claimed] == v);
+      const unsigned number = is_known ? claimed : count;
+      vertices_[number] = v;
+      *claim = static_cast<Claim>(number);
+      count += static_cast<unsigned>(!is_known);
+      numbers[i] = number;
+    }
+    count_ = count;
+    return numbers;
   }
 
  private:
-  std::uint8_t* bytes_;
-  std::uint8_t ghost_byte_ = 0;
+  Claim* claims_;
+  Claim ghost_claim_{};
   unsigned count_ = 1;
   std::array<Index, kMost> vertices_{};
 };
