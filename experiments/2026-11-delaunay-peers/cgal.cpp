@@ -2,7 +2,7 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include "common.hpp"
+#include "experiments/2026-11-delaunay-peers/common.hpp"
 #ifdef PARALLEL
 #include <tbb/global_control.h>
 #endif

@@ -1,4 +1,4 @@
-#include "common.hpp"
+#include "experiments/2026-11-delaunay-peers/common.hpp"
 #include "meshing/delaunay/triangulation.hpp"
 
 int main(int count, char** words) {

@@ -2,7 +2,7 @@
 // its interface as is used.
 #include <cstdlib>
 
-#include "common.hpp"
+#include "experiments/2026-11-delaunay-peers/common.hpp"
 
 struct HxtMesh {
   double* coordinates;  // four per vertex

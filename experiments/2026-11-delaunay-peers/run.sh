@@ -9,8 +9,8 @@ rounds="${ROUNDS:-5}"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 
-flags=(-std=c++20 -O3 -march=native -DNDEBUG)
-g++ "${flags[@]}" -I../.. hexatlas.cpp -o "$work/hexatlas" "$build/meshing/libmeshing_delaunay.a" \
+flags=(-std=c++20 -O3 -march=native -DNDEBUG -I../..)
+g++ "${flags[@]}" hexatlas.cpp -o "$work/hexatlas" "$build/meshing/libmeshing_delaunay.a" \
   "$build/realize/librealize_exact.a" "$build/enum/libenum_parallel.a" -lgmpxx -lgmp -fopenmp
 g++ "${flags[@]}" cgal.cpp -o "$work/cgal" -lgmp -lmpfr
 g++ "${flags[@]}" -DPARALLEL -DCGAL_LINKED_WITH_TBB cgal.cpp -o "$work/cgal-parallel" -ltbb -ltbbmalloc -lgmp -lmpfr

@@ -1,6 +1,6 @@
 #include <tetgen.h>
 
-#include "common.hpp"
+#include "experiments/2026-11-delaunay-peers/common.hpp"
 
 int main(int count, char** words) {
   Run run(count, words);

@@ -64,7 +64,7 @@ Builder<Index>::Builder(std::span<const mesh::Point> points, std::uint64_t seed,
     duplicates_ = count_equal(points);
     return;
   }
-  cells_.reserve(kCellsPerPoint * sites + kSpareCells);
+  cells_.reserve(kCellsPerPoint * sites);
   inserters_.front().begin(first);
   insert_rounds(order.rounds, first);
 }

@@ -13,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -82,19 +83,15 @@ void Builder<Index>::for_each_around(mesh::Index point, Visit&& visit) {
   const Site& place = sites_[site_of(point)];
   std::vector<Index> found{inserter().located(place)};
   const Index vertex = inserter().vertex_at(cells_[found[0]], place);
-  std::vector<Index> sorted = found;
+  std::unordered_set<Index> seen{found[0]};
   for (std::size_t k = 0; k < found.size(); ++k) {
     const Cell<Index> cell = cells_[found[k]];
     const auto at = static_cast<unsigned>(
         std::find(cell.vertices.begin(), cell.vertices.end(), vertex) - cell.vertices.begin());
     visit(cell, at);
-    for (unsigned i = 0; i < 4; ++i) {
-      const Index next = cell.neighbors[i] / 4;
-      const auto place_in_order = std::lower_bound(sorted.begin(), sorted.end(), next);
-      if (i == at || (place_in_order != sorted.end() && *place_in_order == next)) continue;
-      sorted.insert(place_in_order, next);
-      found.push_back(next);
-    }
+    for (unsigned i = 0; i < 4; ++i)
+      if (i != at && seen.insert(cell.neighbors[i] / 4).second)
+        found.push_back(cell.neighbors[i] / 4);
   }
 }
 

@@ -77,6 +77,7 @@ Outcome Inserter<Index>::insert(Index site) {
     undo();
     return Outcome::postponed;
   }
+  if (!is_confined_) make_room();
   if (!has_room()) {
     undo();
     return Outcome::no_room;
@@ -231,19 +232,27 @@ void Inserter<Index>::undo() {
     cells_[doomed_[i].cell].vertices[0] = doomed_[i].was.vertices[0];
 }
 
-/// Sees to as many free cells as the new tetrahedra need besides those of the cavity.
+/// Sees to as many free cells as the new tetrahedra need besides those of the cavity, if there are.
 template <class Index>
 bool Inserter<Index>::has_room() {
   while (free_.size() + doomed_count_ < facet_count_) {
     const auto range = cells_.taken(kAtOnce);
-    if (range.begin == range.end) {
-      if (is_confined_) return false;
-      cells_.reserve(cells_.size() + kAtOnce);
-      continue;
-    }
+    if (range.begin == range.end) return false;
     for (std::size_t c = range.end; c-- > range.begin;) free_.push_back(static_cast<Index>(c));
   }
   return true;
+}
+
+/// Sees to it that there are. If the system has no more, all is as before.
+template <class Index>
+void Inserter<Index>::make_room() {
+  if (free_.size() + doomed_count_ >= facet_count_) return;
+  try {
+    cells_.reserve(cells_.size() + facet_count_);
+  } catch (...) {
+    undo();
+    throw;
+  }
 }
 
 template <class Index>

@@ -108,6 +108,7 @@ class Inserter {
   [[nodiscard]] unsigned conflicting(const Tetrahedron& cell, const Neighbors& around,
                                      const Site& p) const;
   [[nodiscard]] bool has_room();
+  void make_room();
   void undo();
   void fill(Index site);
   void link();

@@ -50,12 +50,14 @@ class PageBuffer {
                                 MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)
                          : mremap(data_, bytes_for(capacity_), bytes_for(capacity), MREMAP_MAYMOVE);
     if (moved == MAP_FAILED) throw core::ResourceFailure("not enough memory for the tetrahedra");
-    madvise(moved, bytes_for(capacity), MADV_HUGEPAGE);  // a wish; without it all works as well
+    // A wish; without it all works as well. The pages of small arrays would be cleared in vain.
+    if (bytes_for(capacity) >= kLargeFrom) madvise(moved, bytes_for(capacity), MADV_HUGEPAGE);
     data_ = static_cast<T*>(moved);
     capacity_ = capacity;
   }
 
  private:
+  static constexpr std::size_t kLargeFrom = std::size_t{1} << 24U;
   static constexpr std::size_t kPage = std::size_t{1} << 21U;
   [[nodiscard]] static std::size_t bytes_for(std::size_t count) noexcept {
     return (count * sizeof(T) + kPage - 1) / kPage * kPage;
