@@ -62,8 +62,8 @@ int threads_to_be_had(int wanted) {
   thread_local int asked = 1;
   thread_local int had = 1;
   if (wanted == asked) return had;
-  std::vector<std::jthread> tried;
   std::latch all_are_made{1};
+  std::vector<std::jthread> tried;  // joined before the latch that they wait for ends
   start(tried, wanted, [&all_are_made] { all_are_made.wait(); });
   all_are_made.count_down();
   asked = wanted;
