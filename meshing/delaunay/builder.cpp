@@ -8,6 +8,7 @@
 
 #include "enum/core/checks.hpp"
 #include "enum/parallel/parallel_for.hpp"
+#include "meshing/delaunay/parts.hpp"
 #include "meshing/delaunay/space_order.hpp"
 #include "realize/exact/orientation.hpp"
 
@@ -52,12 +53,14 @@ Builder<Index>::Builder(std::span<const mesh::Point> points, std::uint64_t seed,
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   sites_[kNone] = sites_[kGhost] = {kNowhere, kNowhere, kNowhere, 0};
   const SpaceOrder order = space_order(points, seed, threads);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Placed& placed = order.points[i];
-    const mesh::Point& p = points[placed.point];
-    sites_[i + kFirstSite] = {p.x, p.y, p.z, placed.key};
-    points_[i + kFirstSite] = placed.point;
-  }
+  for_each_part(threads, points.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Placed& placed = order.points[i];
+      const mesh::Point& p = points[placed.point];
+      sites_[i + kFirstSite] = {p.x, p.y, p.z, placed.key};
+      points_[i + kFirstSite] = placed.point;
+    }
+  });
   for (int t = 0; t < threads; ++t) inserters_.emplace_back(cells_, sites_.data(), claims_.data());
   std::array<Index, 4> first{};
   if (!find_first_four(first)) {

@@ -92,34 +92,45 @@ Index Inserter<Index>::located(const Site& place) {
   if (const unsigned ghost = cells_[at].ghost(); ghost < 4) at = cells_[at].neighbors[ghost] / 4;
   unsigned entered = 4;  // the vertex opposite to the facet through which the walk came
   while (true) {
-    last_ = at;
     const Tetrahedron& cell = cells_[at];
-    const unsigned vertex = facet_towards(cell, entered, place);
-    if (vertex == 4) return at;
-    at = cell.neighbors[vertex] / 4;
-    entered = static_cast<unsigned>(cell.neighbors[vertex] % 4);
-    const Index apex = cells_[at].vertices[entered];
-    if (is_confined_ && apex != kGhost && !region_.has(sites_[apex])) return kNone;
-    if (apex == kGhost) return at;
+    unsigned ways = facets_towards(cell, entered, place);
+    if (ways == 0) return last_ = at;
+    if (is_confined_) ways &= facets_within(cell);
+    if (ways == 0) return kNone;
+    const Index to = cell.neighbors[opposite_of(static_cast<unsigned>(std::countr_zero(ways)))];
+    at = to / 4;
+    entered = static_cast<unsigned>(to % 4);
+    if (cells_[at].vertices[entered] == kGhost) return at;
   }
 }
 
-/// The vertex opposite to a facet, other than that entered through, which the place lies strictly
-/// beyond; 4 if there is none.
+/// The facets, other than that entered through, that the place lies strictly beyond: at least one
+/// if there are any.
 template <class Index>
-unsigned Inserter<Index>::facet_towards(const Tetrahedron& cell, unsigned entered,
-                                        const Site& p) const {
+unsigned Inserter<Index>::facets_towards(const Tetrahedron& cell, unsigned entered,
+                                         const Site& p) const {
   FourSites corners{};
   for (unsigned i = 0; i < 4; ++i) corners[i] = &sites_[cell.vertices[i]];
   const FacetSigns signs = signs_.beyond(corners, p);
   const unsigned others = entered < 4 ? 15U & ~(1U << facet_opposite(entered)) : 15U;
-  if (const unsigned beyond = signs.positive & others; beyond != 0)
-    return opposite_of(static_cast<unsigned>(std::countr_zero(beyond)));
+  if (const unsigned beyond = signs.positive & others; beyond != 0) return beyond;
   for (unsigned rest = signs.undecided & others; rest != 0; rest &= rest - 1) {
-    const unsigned vertex = opposite_of(static_cast<unsigned>(std::countr_zero(rest)));
-    if (is_beyond(cell, vertex, p)) return vertex;
+    const auto facet = static_cast<unsigned>(std::countr_zero(rest));
+    if (is_beyond(cell, opposite_of(facet), p)) return 1U << facet;
   }
-  return 4;
+  return 0;
+}
+
+/// The facets behind which the tetrahedron lies within the region. Requires that the cell does.
+template <class Index>
+unsigned Inserter<Index>::facets_within(const Tetrahedron& cell) const noexcept {
+  unsigned within = 0;
+  for (unsigned j = 0; j < 4; ++j) {
+    const Index facet = cell.neighbors[opposite_of(j)];
+    const Index apex = cells_[facet / 4].vertices[facet % 4];
+    within |= static_cast<unsigned>(apex == kGhost || region_.has(sites_[apex])) << j;
+  }
+  return within;
 }
 
 template <class Index>

@@ -77,7 +77,7 @@ class Inserter {
   }
 
   /// The tetrahedron that contains the place, or a facet of the hull that it lies strictly beyond;
-  /// kNone if the walk to it leaves the region, the start then being the last one within.
+  /// kNone if every way to it leaves the region; the next walk then begins where this one did.
   [[nodiscard]] Index located(const Site& place);
   /// The vertex of the cell that is at the place, or kNone.
   [[nodiscard]] Index vertex_at(const Cell<Index>& cell, const Site& place) const noexcept;
@@ -113,8 +113,9 @@ class Inserter {
   void fill(Index site);
   void link();
   void link_by_sorting();
-  [[nodiscard]] unsigned facet_towards(const Tetrahedron& cell, unsigned entered,
-                                       const Site& p) const;
+  [[nodiscard]] unsigned facets_towards(const Tetrahedron& cell, unsigned entered,
+                                        const Site& p) const;
+  [[nodiscard]] unsigned facets_within(const Tetrahedron& cell) const noexcept;
   [[nodiscard]] bool is_beyond(const Tetrahedron& cell, unsigned vertex, const Site& p) const;
   [[nodiscard]] bool conflicts(const Tetrahedron& cell, const Site& p) const;
 

@@ -7,9 +7,10 @@
 #include <functional>
 #include <numeric>
 #include <span>
+#include <utility>
 
 #include "enum/core/random.hpp"
-#include "enum/parallel/parallel_for.hpp"
+#include "meshing/delaunay/parts.hpp"
 
 namespace hexatlas::delaunay {
 namespace {
@@ -125,17 +126,28 @@ class Grid {
   double width_ = 1;
 };
 
-/// By the lowest `bits` bits of the keys; equal ones stay in order.
-void sort_by_key(std::vector<Placed>& points, unsigned bits) {
+/// By the lowest `bits` bits of the keys; equal ones stay in order. Each thread counts and moves a
+/// part of the list; the places of a part follow those of the parts before it.
+void sort_by_key(std::vector<Placed>& points, unsigned bits, int threads) {
   constexpr unsigned kDigit = 11;
+  constexpr std::size_t kDigits = std::size_t{1} << kDigit;
   std::vector<Placed> other(points.size());
-  std::vector<std::size_t> begins(std::size_t{1} << kDigit);
+  std::vector<std::array<std::size_t, kDigits>> places(static_cast<std::size_t>(threads));
   for (unsigned shift = 0; shift < bits; shift += kDigit) {
-    const auto digit = [shift](const Placed& p) { return p.key >> shift & ((1U << kDigit) - 1); };
-    std::fill(begins.begin(), begins.end(), 0);
-    for (const Placed& p : points) ++begins[digit(p)];
-    std::exclusive_scan(begins.begin(), begins.end(), begins.begin(), std::size_t{0});
-    for (const Placed& p : points) other[begins[digit(p)]++] = p;
+    const auto digit = [shift](const Placed& p) { return p.key >> shift & (kDigits - 1); };
+    for_each_part(threads, points.size(),
+                  [&](std::size_t part, std::size_t begin, std::size_t end) {
+                    places[part].fill(0);
+                    for (std::size_t i = begin; i < end; ++i) ++places[part][digit(points[i])];
+                  });
+    std::size_t place = 0;
+    for (std::size_t d = 0; d < kDigits; ++d)
+      for (auto& of_part : places) place += std::exchange(of_part[d], place);
+    for_each_part(threads, points.size(),
+                  [&](std::size_t part, std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i)
+                      other[places[part][digit(points[i])]++] = points[i];
+                  });
     points.swap(other);
   }
 }
@@ -158,7 +170,7 @@ void refine(std::span<Placed> group, std::span<const mesh::Point> points) {
   std::vector<Placed> sorted;
   sorted.reserve(group.size());
   for (const Placed& p : group) sorted.push_back({grid.key_of(at(p)), p.point});
-  sort_by_key(sorted, 3 * kLevels);
+  sort_by_key(sorted, 3 * kLevels, 1);
   if (sorted.front().key == sorted.back().key) return;
   for (std::size_t i = 0; i < group.size(); ++i) group[i].point = sorted[i].point;
   for_each_group(std::span<const Placed>(sorted), [&](std::size_t begin, std::size_t end) {
@@ -182,12 +194,11 @@ SpaceOrder space_order(std::span<const mesh::Point> points, std::uint64_t seed, 
     order.points[i] = {round << (3 * levels) | grid.key_of(points[i]),
                        static_cast<std::uint32_t>(i)};
   };
-  const auto parts = static_cast<std::size_t>(threads);
-  parallel::parallel_for(threads, parts, [&](std::size_t t) {
-    for (std::size_t i = t * points.size() / parts; i < (t + 1) * points.size() / parts; ++i)
-      place(i);
+  for_each_part(threads, points.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) place(i);
   });
-  sort_by_key(order.points, 3 * levels + static_cast<unsigned>(std::bit_width(rounds - 1)));
+  sort_by_key(order.points, 3 * levels + static_cast<unsigned>(std::bit_width(rounds - 1)),
+              threads);
   for_each_group(std::span<const Placed>(order.points), [&](std::size_t begin, std::size_t end) {
     refine(std::span(order.points).subspan(begin, end - begin), points);
   });
