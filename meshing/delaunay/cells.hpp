@@ -27,10 +27,14 @@ inline constexpr unsigned kFirstSite = 2;
 
 template <class Index>
 struct Cell {
+  /// On the first vertex of a tetrahedron that is to go, while its cavity is dug.
+  static constexpr Index kMark = Index{1} << (std::numeric_limits<Index>::digits - 1);
+
   std::array<Index, 4> vertices;   ///< the first is kNone if the cell is not in use
   std::array<Index, 4> neighbors;  ///< references
 
   [[nodiscard]] bool is_used() const noexcept { return vertices[0] != kNone; }
+  [[nodiscard]] bool is_marked() const noexcept { return (vertices[0] & kMark) != 0; }
   /// The position of the ghost vertex, or 4.
   [[nodiscard]] unsigned ghost() const noexcept {
     unsigned i = 0;

@@ -87,30 +87,29 @@ class Inserter {
   static constexpr std::size_t kEdges =
       std::size_t{LocalVertices<Index>::kMost} * LocalVertices<Index>::kMost;
 
-  struct Doomed {
-    Index cell;
-    Tetrahedron was;
-  };
   /// Of the cavity's boundary: with a vertex inside before them, the vertices are right-handed.
   struct Facet {
     std::array<Index, 3> vertices;
     Index outer;  ///< the same facet in the tetrahedron that stays
   };
   using Numbers = std::array<std::uint32_t, 3>;
+  /// Of a tetrahedron of the cavity, by its facets.
   struct Neighbors {
     FourSites corners{}, apexes{};
-    unsigned alive = 0;  ///< those that are not doomed, a bit for each facet
+    std::array<Index, 4> facets{};  ///< references to them in the neighbours
+    unsigned alive = 0;             ///< the neighbours that are not marked, a bit for each
   };
 
   [[nodiscard]] bool dig(Index start, const Site& p);
   [[nodiscard]] Neighbors neighbors_of(const Tetrahedron& cell) const noexcept;
   [[nodiscard]] bool leaves_region(const Neighbors& around) const noexcept;
-  [[nodiscard]] unsigned conflicting(const Tetrahedron& cell, const Neighbors& around,
-                                     const Site& p) const;
+  [[nodiscard]] unsigned conflicting(const Neighbors& around, const Site& p) const;
   [[nodiscard]] bool has_room();
   void make_room();
   void undo();
   void fill(Index site);
+  void collect_facets();
+  [[nodiscard]] bool number_vertices();
   void link();
   void link_by_sorting();
   [[nodiscard]] unsigned facets_towards(const Tetrahedron& cell, unsigned entered,
@@ -126,9 +125,13 @@ class Inserter {
   bool is_confined_ = false;
   LocalVertices<Index> locals_;
   std::vector<Index> edges_;  ///< references, by two local numbers
-  std::vector<Doomed> doomed_;
+  /// The cells of the cavity: references to the facets through which they were found, of the first
+  /// one any.
+  std::vector<Index> doomed_;
   std::size_t doomed_count_ = 0;
-  std::vector<Facet> facets_;
+  std::vector<std::uint32_t>
+      walls_;                  ///< of the cavity: 4 i + j for facet j of the cell of doomed_[i]
+  std::vector<Facet> facets_;  ///< the same
   std::size_t facet_count_ = 0;
   std::vector<Index> new_cells_;  ///< for each facet
   std::vector<Numbers> numbers_;  ///< of the vertices of each facet

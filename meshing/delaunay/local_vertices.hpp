@@ -28,32 +28,26 @@ class LocalVertices {
   void use(Claim* claims) noexcept { claims_ = claims; }
 
   void clear() noexcept { count_ = 1; }
-  [[nodiscard]] bool has_room_for(unsigned more) const noexcept { return count_ + more <= kMost; }
 
-  /// The numbers of the vertices. Requires room for all.
-  template <std::size_t kCount>
-  [[nodiscard]] std::array<std::uint32_t, kCount> numbers_of(
-      const std::array<Index, kCount>& vertices) noexcept {
-    std::array<std::uint32_t, kCount> numbers{};
-    unsigned count = count_;
-    for (std::size_t i = 0; i < kCount; ++i) {
-      const Index v = vertices[i];
-      Claim* const claim = v == kGhost ? &ghost_claim_ : claims_ + v;
-      const unsigned claimed = static_cast<unsigned>(*claim) % kMost;
-      const bool is_known = (claimed < count) & (vertices_[claimed] == v);
-      const unsigned number = is_known ? claimed : count;
-      vertices_[number] = v;
-      *claim = static_cast<Claim>(number);
-      count += static_cast<unsigned>(!is_known);
-      numbers[i] = number;
-    }
-    count_ = count;
-    return numbers;
+  /// Gives the vertex a number unless it has one; false if there are no more.
+  [[nodiscard]] bool add(Index v) noexcept {
+    if (v == kGhost) return true;
+    if (count_ == kMost) return false;
+    const auto claimed = static_cast<unsigned>(claims_[v]) % kMost;
+    const bool is_known = (claimed < count_) & (vertices_[claimed] == v);
+    const unsigned number = count_ ^ ((count_ ^ claimed) & (0U - static_cast<unsigned>(is_known)));
+    vertices_[number] = v;
+    claims_[v] = static_cast<Claim>(number);
+    count_ += static_cast<unsigned>(!is_known);
+    return true;
+  }
+  /// Requires that the vertex was added.
+  [[nodiscard]] unsigned number_of(Index v) const noexcept {
+    return v == kGhost ? 0U : static_cast<unsigned>(claims_[v]);
   }
 
  private:
   Claim* claims_;
-  Claim ghost_claim_{};
   unsigned count_ = 1;
   std::array<Index, kMost> vertices_{};
 };
