@@ -51,13 +51,9 @@ std::string why_degenerate(int dimension, std::size_t points) {
 }  // namespace
 
 ExitCode mesh_delaunay(const MeshDelaunayOptions& options) {
-  if (is_same_file(options.input, options.output)) {
-    say("mesh delaunay: POINTS and the mesh to write are the same file");
+  if (!are_distinct({options.input, options.output, {}}, "POINTS", "mesh delaunay"))
     return ExitCode::usage;
-  }
-  const bool is_stream = options.output == "-";
-  const auto format = is_stream ? std::optional(io::FileFormat::vtk) : std::nullopt;
-  if (!options.output.empty()) io::expect_tetrahedra_writable(options.output, format);
+  if (!options.output.empty()) expect_tetrahedra_writable(options.output);
   const std::vector<mesh::Point> points = io::read_points(options.input);
   const int threads = parallel::threads_or_all(options.threads);
   const double start = seconds();
@@ -65,19 +61,20 @@ ExitCode mesh_delaunay(const MeshDelaunayOptions& options) {
   const double elapsed = seconds() - start;
   if (triangulation.dimension() < 3) {
     say(fmt::format("{}: degenerate, {}: no tetrahedron has them for vertices",
-                    options.input == "-" ? "standard input" : options.input,
+                    input_name(options.input),
                     why_degenerate(triangulation.dimension(), points.size())));
     return ExitCode::no;
   }
-  const Account account{
-      points.size(),
-      triangulation.duplicates(),
-      triangulation.size(),
-      elapsed,
-      threads,
-      static_cast<double>(triangulation.bytes()) / static_cast<double>(triangulation.size())};
+  Account account;
+  account.points = points.size();
+  account.duplicates = triangulation.duplicates();
+  account.tetrahedra = triangulation.size();
+  account.seconds = elapsed;
+  account.threads = threads;
+  account.bytes_per_tetrahedron =
+      static_cast<double>(triangulation.bytes()) / static_cast<double>(account.tetrahedra);
   if (!options.output.empty())
-    io::write_tetrahedra(options.output, {points, triangulation.tetrahedra()}, format);
+    write_tetrahedra(options.output, {points, triangulation.tetrahedra()});
   tell(options.output, options.json ? json_line(account) : summary(account, options.output));
   return ExitCode::yes;
 }

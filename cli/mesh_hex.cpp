@@ -189,7 +189,7 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
     return ExitCode::usage;
   }
   expect_outputs_writable(files_of(options));
-  const std::string name = options.input == "-" ? "standard input" : options.input;
+  const std::string name = input_name(options.input);
   const mesh::SurfaceMesh surface = io::read_surface(options.input);
   const Sources sources = sources_of(options);
   const auto answer =

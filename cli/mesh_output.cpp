@@ -87,6 +87,14 @@ void write_mesh(const std::string& output, const mesh::HexMesh& mesh) {
   io::write_hexahedra(output, mesh, format_on(output));
 }
 
+void expect_tetrahedra_writable(const std::string& output) {
+  io::expect_tetrahedra_writable(output, format_on(output));
+}
+
+void write_tetrahedra(const std::string& output, const mesh::TetView& mesh) {
+  io::write_tetrahedra(output, mesh, format_on(output));
+}
+
 std::string quality_text(const quality::Report& report) {
   std::string bins;
   for (const std::size_t count : report.histogram) bins += fmt::format(" {}", count);

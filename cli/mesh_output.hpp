@@ -38,6 +38,9 @@ void expect_outputs_writable(const MeshFiles& files);
 void expect_mesh_writable(const std::string& output);
 /// Writes the mesh; on standard output as .vtk.
 void write_mesh(const std::string& output, const mesh::HexMesh& mesh);
+/// The same for tetrahedra.
+void expect_tetrahedra_writable(const std::string& output);
+void write_tetrahedra(const std::string& output, const mesh::TetView& mesh);
 
 /// Data. With the mesh on standard output they go to standard error.
 void tell(const std::string& output, const std::string& text);

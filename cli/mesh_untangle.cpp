@@ -59,7 +59,7 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
   if (!are_distinct(files, "MESH", "mesh untangle")) return ExitCode::usage;
   expect_outputs_writable(files);
   mesh::HexMesh mesh = io::read_hexahedra(options.input);
-  const std::string name = options.input == "-" ? "standard input" : options.input;
+  const std::string name = input_name(options.input);
   expect_placeable(mesh, name);
   std::vector<std::uint8_t> is_free = options.free_boundary
                                           ? std::vector<std::uint8_t>(mesh.points.size(), 1)

@@ -13,6 +13,8 @@ namespace hexatlas::cli {
 
 std::string version() { return HEXATLAS_VERSION; }
 
+std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
 void print(std::string_view text) { core::write_file("-", text); }
 
 std::string to_line(const nlohmann::ordered_json& json) {

@@ -19,6 +19,8 @@ void print(std::string_view text);
 /// One line; bytes that are not UTF-8, which names of files may hold, become U+FFFD.
 [[nodiscard]] std::string to_line(const nlohmann::ordered_json& json);
 using core::counted;
+/// What messages call an input: its path, or "standard input" for "-".
+[[nodiscard]] std::string input_name(const std::string& path);
 /// Words on standard error, as they stand; no error if they cannot be written.
 void say_text(std::string_view text);
 /// A word to the user: one line on standard error, after the name of the program.

@@ -110,7 +110,7 @@ ExitCode simplify_mesh(const SimplifyOptions& options) {
   }
   expect_mesh_writable(options.output);
   const mesh::HexMesh given = io::read_hexahedra(options.input);
-  const std::string name = options.input == "-" ? "standard input" : options.input;
+  const std::string name = input_name(options.input);
   if (!is_shown_ball(given, name))
     say("note: that " + name + " is a ball was not shown; what is written is homeomorphic to it");
   const Start start = start_of(given);

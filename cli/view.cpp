@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
 
 #include "cli/commands.hpp"
 #include "cli/mesh_output.hpp"
+#include "cli/mesh_report.hpp"
 #include "cli/output.hpp"
 #include "cli/view_page.hpp"
 #include "cli/view_picture.hpp"
@@ -18,11 +18,6 @@ namespace hexatlas::cli {
 namespace {
 
 using AnyMesh = std::variant<mesh::HexMesh, mesh::FacetMesh>;
-
-std::string name_of(const ViewOptions& options) {
-  return options.input == "-" ? "standard input"
-                              : std::filesystem::path(options.input).filename().string();
-}
 
 /// The hexahedra of the file, or, if it has none, its triangles and quads. Of a file that has
 /// neither the first refusal is told.
@@ -84,7 +79,7 @@ ExitCode view_mesh(const ViewOptions& options) {
   expect_outputs_writable(options);
   const std::string chromium = options.png.empty() ? "" : browser();
   const AnyMesh mesh = read_any(options);
-  PageRequest request{name_of(options), options.state, {}};
+  PageRequest request{shown_name(options.input, "standard input"), options.state, {}};
   const Page page = page_for(mesh, request);
   if (const std::string fault = contradiction(options, mesh, page); !fault.empty())
     return wrong_use(fault);

@@ -1,7 +1,6 @@
 #include "meshing/delaunay/builder.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -220,8 +219,7 @@ Index Builder<Index>::start_in(const Region& region, std::span<const Index> site
 template <class Index>
 Index Builder<Index>::add(const mesh::Point& point) {
   core::expects(dimension_ == 3, "the points so far span space");
-  core::expects(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z),
-                "finite coordinates");
+  core::expects(mesh::is_finite(point), "finite coordinates");
   const std::size_t site = points_.size();
   if (site == sites_.capacity()) sites_.resize(site + site / 4 + 1);
   sites_[site] = {point.x, point.y, point.z, 0};
@@ -253,13 +251,10 @@ Index Builder<Index>::site_of(mesh::Index point) {
 }
 
 template <class Index>
-std::size_t Builder<Index>::refine(
-    const std::function<std::optional<mesh::Point>(const std::array<mesh::Point, 4>& corners)>&
-        wish,
-    std::size_t most) {
+std::size_t Builder<Index>::refine(const Wish& wish, std::size_t most) {
   const auto wish_for = [&](Index c) -> std::optional<mesh::Point> {
     const Cell<Index>& cell = cells_[c];
-    if (!cell.is_used() || cell.ghost() < 4) return std::nullopt;
+    if (!cell.is_tetrahedron()) return std::nullopt;
     std::array<mesh::Point, 4> corners{};
     for (unsigned i = 0; i < 4; ++i) {
       const Site& site = sites_[cell.vertices[i]];
@@ -288,7 +283,8 @@ std::size_t Builder<Index>::refine(
 
 template <class Index>
 std::size_t Builder<Index>::bytes() const noexcept {
-  return cells_.bytes() + points_.size() * (sizeof(Site) + sizeof(mesh::Index) + 1);
+  return cells_.bytes() +
+         points_.size() * (sizeof(Site) + sizeof(mesh::Index) + sizeof(claims_.front()));
 }
 
 template class Builder<std::uint32_t>;

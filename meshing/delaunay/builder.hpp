@@ -10,8 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <optional>
 #include <span>
 #include <unordered_set>
 #include <utility>
@@ -21,6 +19,7 @@
 #include "meshing/delaunay/inserter.hpp"
 #include "meshing/delaunay/page_buffer.hpp"
 #include "meshing/delaunay/site.hpp"
+#include "meshing/delaunay/triangulation.hpp"
 #include "meshing/mesh/mesh.hpp"
 
 namespace hexatlas::delaunay {
@@ -34,7 +33,6 @@ class Builder {
   /// Of the affine hull: -1 if there is no point. There are cells only if it is 3.
   [[nodiscard]] int dimension() const noexcept { return dimension_; }
   [[nodiscard]] const Cells<Index>& cells() const noexcept { return cells_; }
-  [[nodiscard]] const Site& site(Index s) const noexcept { return sites_[s]; }
   /// The number of a site in the input; those added later follow.
   [[nodiscard]] mesh::Index point_of(Index site) const noexcept { return points_[site]; }
   [[nodiscard]] std::size_t points() const noexcept { return points_.size() - kFirstSite; }
@@ -45,10 +43,7 @@ class Builder {
   /// Invalidates references to sites and cells. The answer is its site, or the vertex at its place.
   Index add(const mesh::Point& point);
   /// As Triangulation::refine.
-  std::size_t refine(
-      const std::function<std::optional<mesh::Point>(const std::array<mesh::Point, 4>& corners)>&
-          wish,
-      std::size_t most);
+  std::size_t refine(const Wish& wish, std::size_t most);
   [[nodiscard]] Inserter<Index>& inserter() noexcept { return inserters_.front(); }
 
   /// visit(cell, i) for each cell at the place of the point, which is its vertex i.

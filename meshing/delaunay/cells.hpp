@@ -41,6 +41,7 @@ struct Cell {
     while (i < 4 && vertices[i] != kGhost) ++i;
     return i;
   }
+  [[nodiscard]] bool is_tetrahedron() const noexcept { return is_used() && ghost() == 4; }
 };
 
 /// Cells in use, cells that are free, and room for more.

@@ -1,7 +1,6 @@
 #include "meshing/delaunay/triangulation.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -26,11 +25,6 @@ Tetrahedron in_order(const Tetrahedron& t) {
 }
 
 template <class Index>
-bool is_tetrahedron(const Cell<Index>& cell) {
-  return cell.is_used() && cell.ghost() == 4;
-}
-
-template <class Index>
 Tetrahedron with_points(const Builder<Index>& builder, const Cell<Index>& cell) {
   Tetrahedron result{};
   for (unsigned i = 0; i < 4; ++i) result[i] = builder.point_of(cell.vertices[i]);
@@ -41,7 +35,7 @@ template <class Index, class Visit>
 void for_each_tetrahedron(const Builder<Index>& builder, Visit&& visit) {
   if (builder.dimension() < 3) return;
   for (std::size_t c = 1; c < builder.cells().size(); ++c)
-    if (const auto& cell = builder.cells()[static_cast<Index>(c)]; is_tetrahedron(cell))
+    if (const auto& cell = builder.cells()[static_cast<Index>(c)]; cell.is_tetrahedron())
       visit(cell);
 }
 
@@ -61,10 +55,6 @@ void sort(std::vector<Tetrahedron>& tetrahedra, std::size_t points) {
   }
 }
 
-bool is_finite(const mesh::Point& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 Site site_at(const mesh::Point& p) { return {p.x, p.y, p.z, 0}; }
 
 bool needs_long(std::size_t points, References references) {
@@ -77,7 +67,7 @@ bool needs_long(std::size_t points, References references) {
 Triangulation::Triangulation(std::span<const mesh::Point> points, const Options& options) {
   core::expects(points.size() < std::numeric_limits<Index>::max() - 1,
                 "fewer than 2^32 - 2 points");
-  core::expects(std::all_of(points.begin(), points.end(), is_finite), "finite coordinates");
+  core::expects(std::all_of(points.begin(), points.end(), mesh::is_finite), "finite coordinates");
   if (needs_long(points.size(), options.references))
     builder_ = std::make_unique<Builder<std::uint64_t>>(points, options.seed, options.threads);
   else
@@ -125,7 +115,7 @@ std::vector<Tetrahedron> Triangulation::tetrahedra() const {
 }
 
 std::optional<Tetrahedron> Triangulation::located(const mesh::Point& place) {
-  core::expects(dimension() == 3 && is_finite(place), "a place, and tetrahedra");
+  core::expects(dimension() == 3 && mesh::is_finite(place), "a place, and tetrahedra");
   return std::visit(
       [&](auto& b) -> std::optional<Tetrahedron> {
         const auto& cell = b->cells()[b->inserter().located(site_at(place))];
@@ -152,9 +142,7 @@ Triangulation::Index Triangulation::insert(const mesh::Point& place) {
   return std::visit([&](auto& b) { return b->point_of(b->add(place)); }, builder_);
 }
 
-std::size_t Triangulation::refine(
-    const std::function<std::optional<mesh::Point>(const std::array<mesh::Point, 4>&)>& wish,
-    std::size_t most) {
+std::size_t Triangulation::refine(const Wish& wish, std::size_t most) {
   core::expects(dimension() == 3, "tetrahedra");
   return std::visit([&](auto& b) { return b->refine(wish, most); }, builder_);
 }

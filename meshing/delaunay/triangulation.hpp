@@ -51,6 +51,9 @@ struct Options {
   References references = References::automatic;
 };
 
+/// Where a point should be inserted because of a tetrahedron with these corners, if anywhere.
+using Wish = std::function<std::optional<mesh::Point>(const std::array<mesh::Point, 4>& corners)>;
+
 class Triangulation {
  public:
   using Index = mesh::Index;
@@ -91,10 +94,7 @@ class Triangulation {
   /// Asks for each tetrahedron, old or new, whether a point should be inserted because of it, and
   /// where; until nobody wants one, or `most` were inserted. The answer is their number. The order
   /// of asking depends on the threads that were used before. Requires finite wishes.
-  std::size_t refine(
-      const std::function<std::optional<mesh::Point>(const std::array<mesh::Point, 4>& corners)>&
-          wish,
-      std::size_t most);
+  std::size_t refine(const Wish& wish, std::size_t most);
 
  private:
   template <class T>

@@ -1,6 +1,5 @@
 // The half of mesh_files.hpp that writes.
 #include <algorithm>
-#include <cmath>
 
 #include "enum/core/checks.hpp"
 #include "enum/core/errors.hpp"
@@ -23,8 +22,7 @@ struct Manner {
 
 void check(const CellsToWrite& cells) {
   for (const mesh::Point& point : cells.points)
-    core::expects(std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z),
-                  "writing a mesh: coordinates are finite");
+    core::expects(mesh::is_finite(point), "writing a mesh: coordinates are finite");
   for (const CellList& list : cells.lists)
     for (const Index index : list.all_corners())
       core::expects(index < cells.points.size(), "writing a mesh: indices are below points.size()");

@@ -4,6 +4,7 @@
 /// a surface are checked by enum/complex.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,6 +15,10 @@ struct Point {
   double x = 0, y = 0, z = 0;
   friend bool operator==(const Point&, const Point&) = default;
 };
+
+[[nodiscard]] inline bool is_finite(const Point& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
 
 using Index = std::uint32_t;  ///< of a point, from 0
 
