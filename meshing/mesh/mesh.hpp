@@ -64,4 +64,20 @@ struct TetView {
   std::span<const std::array<Index, 4>> tetrahedra;
 };
 
+/// Bottom triangle 0 1 2, top triangle 3 4 5, i + 3 above i; a right-handed one has
+/// det(p1 - p0, p2 - p0, p3 - p0) > 0.
+using Prism = std::array<Index, 6>;
+
+/// Base 0 1 2 3, cyclic, and apex 4; a right-handed one has det(p1 - p0, p3 - p0, p4 - p0) > 0.
+using Pyramid = std::array<Index, 5>;
+
+/// Cells of four shapes that share points; tetrahedra and hexahedra as in TetMesh and HexMesh.
+struct HybridMesh {
+  std::vector<Point> points;
+  std::vector<std::array<Index, 4>> tetrahedra;
+  std::vector<std::array<Index, 8>> hexahedra;
+  std::vector<Prism> prisms;
+  std::vector<Pyramid> pyramids;
+};
+
 }  // namespace hexatlas::mesh
