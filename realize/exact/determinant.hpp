@@ -84,11 +84,18 @@ class DeterminantFilter {
     z_ = std::max(z_, std::abs(v.z));
   }
 
-  /// The sign of a sum of `count` determinants whose computed value is `sum`, or nullopt.
-  [[nodiscard]] std::optional<Sign> sign(double sum, int count) const noexcept {
+  /// fl(fl(XY)Z) of the claim, between 2^-901 and 2^901, or nullopt if the claim does not apply.
+  [[nodiscard]] std::optional<double> unit() const noexcept {
     if (!(std::min({x_, y_, z_}) >= kLeast && std::max({x_, y_, z_}) <= kGreatest))
       return std::nullopt;
-    const double bound = kErrorPerDeterminant * count * (x_ * y_ * z_);
+    return x_ * y_ * z_;
+  }
+
+  /// The sign of a sum of `count` determinants whose computed value is `sum`, or nullopt.
+  [[nodiscard]] std::optional<Sign> sign(double sum, int count) const noexcept {
+    const std::optional<double> unit_or_none = unit();
+    if (!unit_or_none) return std::nullopt;
+    const double bound = kErrorPerDeterminant * count * *unit_or_none;
     if (sum > bound) return Sign::positive;
     if (sum < -bound) return Sign::negative;
     return std::nullopt;
