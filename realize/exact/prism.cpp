@@ -23,15 +23,20 @@ JacobianVerdict verdict(bool corners_positive, bool inside_positive) {
           !corners_positive};
 }
 
-/// a, b, a', b', v_0, v_1, v_2 of the derivation.
+/// a and b of the derivation, a' and b', and the v_i.
 template <class Number>
-using PrismVectors = std::array<Vector3<Number>, 7>;
+struct PrismVectors {
+  Vector3<Number> a, b, a_top, b_top;
+  std::array<Vector3<Number>, 3> lateral;
+};
 
 template <class Number>
 PrismVectors<Number> prism_vectors(const std::array<Vector3<Number>, 6>& p) {
-  return {difference(p[1], p[0]), difference(p[2], p[0]), difference(p[4], p[3]),
-          difference(p[5], p[3]), difference(p[3], p[0]), difference(p[4], p[1]),
-          difference(p[5], p[2])};
+  return {difference(p[1], p[0]),
+          difference(p[2], p[0]),
+          difference(p[4], p[3]),
+          difference(p[5], p[3]),
+          {difference(p[3], p[0]), difference(p[4], p[1]), difference(p[5], p[2])}};
 }
 
 /// J on a lateral edge: low at the bottom, high at the top, and m, twice the middle coefficient.
@@ -41,14 +46,13 @@ struct Quadratic {
 };
 
 template <class Number>
-std::array<Quadratic<Number>, 3> lateral_edges(const PrismVectors<Number>& vectors) {
-  const auto& [a, b, a_top, b_top, v0, v1, v2] = vectors;
-  const auto along = [&](const Vector3<Number>& v) {
-    return Quadratic<Number>{determinant(a, b, v),
-                             Number(determinant(a, b_top, v) + determinant(a_top, b, v)),
-                             determinant(a_top, b_top, v)};
+std::array<Quadratic<Number>, 3> lateral_edges(const PrismVectors<Number>& p) {
+  const auto along = [&p](const Vector3<Number>& v) {
+    return Quadratic<Number>{determinant(p.a, p.b, v),
+                             Number(determinant(p.a, p.b_top, v) + determinant(p.a_top, p.b, v)),
+                             determinant(p.a_top, p.b_top, v)};
   };
-  return {along(v0), along(v1), along(v2)};
+  return {along(p.lateral[0]), along(p.lateral[1]), along(p.lateral[2])};
 }
 
 /// A proof that the polynomial is positive on [0, 1]; `unit` is that of the filter.
@@ -77,7 +81,7 @@ struct BaseCorner {
 
 template <class Number>
 std::array<BaseCorner<Number>, 4> base_corners(const std::array<Vector3<Number>, 5>& p) {
-  std::array<BaseCorner<Number>, 4> result;
+  std::array<BaseCorner<Number>, 4> result{};
   for (std::size_t i = 0; i < 4; ++i)
     result[i] = {difference(p[(i + 1) % 4], p[i]), difference(p[(i + 3) % 4], p[i]),
                  difference(p[4], p[i])};
@@ -97,12 +101,14 @@ JacobianVerdict exact_jacobian_verdict(const Prism& corners) {
 
 std::optional<JacobianVerdict> filtered_jacobian_verdict(const Prism& corners) {
   expect_finite(corners);
-  const PrismVectors<double> edge_vectors = prism_vectors(vectors(corners));
+  const PrismVectors<double> derivatives = prism_vectors(vectors(corners));
   DeterminantFilter filter;
-  for (const auto& vector : edge_vectors) filter.include(vector);
+  for (const auto& v : {derivatives.a, derivatives.b, derivatives.a_top, derivatives.b_top})
+    filter.include(v);
+  for (const auto& v : derivatives.lateral) filter.include(v);
   const std::optional<double> unit = filter.unit();
   if (!unit) return std::nullopt;
-  const auto edges = lateral_edges(edge_vectors);
+  const auto edges = lateral_edges(derivatives);
   if (std::all_of(edges.begin(), edges.end(),
                   [&](const Quadratic<double>& q) { return proven_positive(q, *unit); }))
     return verdict(true, true);
