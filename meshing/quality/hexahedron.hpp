@@ -39,8 +39,9 @@ struct Verdict {
 }
 
 /// The least, over the corners, of the determinant of the three edge vectors there divided by their
-/// lengths, in [-1, 1]; a corner with an edge of length zero counts 0. In double precision:
-/// a measure of shape that proves nothing. No scale of the coordinates makes it overflow.
+/// lengths, in [-1, 1]; a corner with an edge of length zero counts 0. Its sign is exact: positive
+/// exactly if the cell is not inverted. Its size is a measure of shape in double precision that
+/// proves nothing of the inside. No scale of the coordinates makes it overflow.
 [[nodiscard]] double scaled_jacobian(const Corners& corners);
 
 }  // namespace hexatlas::quality
