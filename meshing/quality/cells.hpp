@@ -44,8 +44,8 @@ using PyramidCorners = std::array<mesh::Point, 5>;
 [[nodiscard]] Verdict verdict_of_prism(const PrismCorners& corners);
 [[nodiscard]] Verdict verdict_of_pyramid(const PyramidCorners& corners);
 
-[[nodiscard]] double scaled_jacobian(const TetrahedronCorners& corners);
-[[nodiscard]] double scaled_jacobian(const PrismCorners& corners);
-[[nodiscard]] double scaled_jacobian(const PyramidCorners& corners);
+[[nodiscard]] double scaled_jacobian(const TetrahedronCorners& p);
+[[nodiscard]] double scaled_jacobian(const PrismCorners& p);
+[[nodiscard]] double scaled_jacobian(const PyramidCorners& p);
 
 }  // namespace hexatlas::quality

@@ -7,12 +7,12 @@
 #include "enum/core/checks.hpp"
 #include "realize/exact/determinant.hpp"
 #include "realize/exact/integers.hpp"
+#include "realize/exact/jacobian_lanes.hpp"
 
 namespace hexatlas::exact {
 namespace {
 
-template <class Number>
-using Coefficients = std::array<Number, kJacobianCoefficients>;
+using Coefficients = std::array<Integer, kJacobianCoefficients>;
 
 constexpr std::array<std::size_t, 8> kCornerCoefficients{0, 2, 6, 8, 18, 20, 24, 26};
 constexpr std::array<std::size_t, 3> kStride{1, 3, 9};
@@ -27,13 +27,11 @@ constexpr int determinants_in(std::size_t coefficient) {
 
 /// edges[k][o] is the edge vector in direction k whose start has, in the two other directions
 /// in ascending order, the coordinates that are the low and the high bit of o.
-template <class Number>
-using EdgeVectors = std::array<std::array<Vector3<Number>, 4>, 3>;
+using EdgeVectors = std::array<std::array<Vector3<Integer>, 4>, 3>;
 
-template <class Number>
-EdgeVectors<Number> edge_vectors(const std::array<Vector3<Number>, 8>& p) {
+EdgeVectors edge_vectors(const std::array<Vector3<Integer>, 8>& p) {
   constexpr std::array<std::array<std::size_t, 2>, 3> kOthers{{{2, 4}, {1, 4}, {1, 2}}};
-  EdgeVectors<Number> edges;
+  EdgeVectors edges;
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t o = 0; o < 4; ++o) {
       const std::size_t start = (o & 1U) * kOthers[k][0] + (o >> 1U) * kOthers[k][1];
@@ -44,9 +42,8 @@ EdgeVectors<Number> edge_vectors(const std::array<Vector3<Number>, 8>& p) {
 
 /// For each coefficient the sum, not the mean, of its determinants. The six bits of `choice` are
 /// j, k, i, k', i', j' of the derivation.
-template <class Number>
-Coefficients<Number> determinant_sums(const EdgeVectors<Number>& edges) {
-  Coefficients<Number> sums{};
+Coefficients determinant_sums(const EdgeVectors& edges) {
+  Coefficients sums{};
   for (std::size_t choice = 0; choice < 64; ++choice) {
     const auto bit = [choice](unsigned place) { return choice >> place & 1U; };
     const std::size_t l = bit(2) + bit(4);
@@ -59,16 +56,15 @@ Coefficients<Number> determinant_sums(const EdgeVectors<Number>& edges) {
 }
 
 /// The coefficients of J times a positive number.
-Coefficients<Integer> integer_coefficients(const Hexahedron& corners) {
-  Coefficients<Integer> result = determinant_sums(edge_vectors(scaled_integers(corners)));
+Coefficients integer_coefficients(const Hexahedron& corners) {
+  Coefficients result = determinant_sums(edge_vectors(scaled_integers(corners)));
   for (std::size_t i = 0; i < result.size(); ++i) result[i] *= 8 / determinants_in(i);
   return result;
 }
 
 /// De Casteljau at 1/2 in direction k: the coefficients on the lower and the upper half, times 4.
-std::pair<Coefficients<Integer>, Coefficients<Integer>> halves(const Coefficients<Integer>& whole,
-                                                               std::size_t k) {
-  std::pair<Coefficients<Integer>, Coefficients<Integer>> result;
+std::pair<Coefficients, Coefficients> halves(const Coefficients& whole, std::size_t k) {
+  std::pair<Coefficients, Coefficients> result;
   auto& [low, high] = result;
   const std::size_t stride = kStride[k];
   for (std::size_t first = 0; first < kJacobianCoefficients; ++first) {
@@ -85,7 +81,7 @@ std::pair<Coefficients<Integer>, Coefficients<Integer>> halves(const Coefficient
   return result;
 }
 
-void append_eighths(const Coefficients<Integer>& whole, std::vector<Coefficients<Integer>>& parts) {
+void append_eighths(const Coefficients& whole, std::vector<Coefficients>& parts) {
   const auto [low_r, high_r] = halves(whole, 0);
   for (const auto& half : {low_r, high_r}) {
     const auto [low_s, high_s] = halves(half, 1);
@@ -97,25 +93,25 @@ void append_eighths(const Coefficients<Integer>& whole, std::vector<Coefficients
   }
 }
 
-bool all_positive(const Coefficients<Integer>& part) {
+bool all_positive(const Coefficients& part) {
   return std::all_of(part.begin(), part.end(), [](const Integer& c) { return c > 0; });
 }
 
-bool some_corner_not_positive(const Coefficients<Integer>& part) {
+bool some_corner_not_positive(const Coefficients& part) {
   return std::any_of(kCornerCoefficients.begin(), kCornerCoefficients.end(),
                      [&part](std::size_t i) { return part[i] <= 0; });
 }
 
 /// Breadth first, so that a refutation is found at the least depth that has one.
-Positivity positivity(const Coefficients<Integer>& whole, int depth) {
-  std::vector<Coefficients<Integer>> parts{whole};
+Positivity positivity(const Coefficients& whole, int depth) {
+  std::vector<Coefficients> parts{whole};
   for (int level = 0;; ++level) {
     parts.erase(std::remove_if(parts.begin(), parts.end(), all_positive), parts.end());
     if (parts.empty()) return Positivity::positive;
     if (std::any_of(parts.begin(), parts.end(), some_corner_not_positive))
       return Positivity::not_positive;
     if (level == depth) return Positivity::undecided;
-    std::vector<Coefficients<Integer>> smaller;
+    std::vector<Coefficients> smaller;
     smaller.reserve(8 * parts.size());
     for (const auto& part : parts) append_eighths(part, smaller);
     parts = std::move(smaller);
@@ -126,7 +122,7 @@ Positivity positivity(const Coefficients<Integer>& whole, int depth) {
 
 std::array<Sign, kJacobianCoefficients> signs_of_jacobian_coefficients(const Hexahedron& corners) {
   expect_finite(corners);
-  const Coefficients<Integer> coefficients = integer_coefficients(corners);
+  const Coefficients coefficients = integer_coefficients(corners);
   std::array<Sign, kJacobianCoefficients> signs{};
   std::transform(coefficients.begin(), coefficients.end(), signs.begin(), sign_of);
   return signs;
@@ -135,33 +131,35 @@ std::array<Sign, kJacobianCoefficients> signs_of_jacobian_coefficients(const Hex
 JacobianVerdict exact_jacobian_verdict(const Hexahedron& corners, int depth) {
   expect_finite(corners);
   core::expects(depth >= 0 && depth <= kMaxSubdivisionDepth, "exact: subdivision depth in [0, 8]");
-  const Coefficients<Integer> coefficients = integer_coefficients(corners);
+  const Coefficients coefficients = integer_coefficients(corners);
   if (some_corner_not_positive(coefficients)) return {Positivity::not_positive, true};
   return {positivity(coefficients, depth), false};
 }
 
 std::optional<JacobianVerdict> filtered_jacobian_verdict(const Hexahedron& corners) {
-  expect_finite(corners);
-  std::array<Vector3<double>, 8> points{};
-  std::transform(corners.begin(), corners.end(), points.begin(), [](const Point3& p) {
-    return Vector3<double>{p.x, p.y, p.z};
-  });
-  const EdgeVectors<double> edges = edge_vectors(points);
-  DeterminantFilter filter;
-  for (const auto& direction : edges)
-    for (const auto& edge : direction) filter.include(edge);
+  std::optional<JacobianVerdict> verdict;
+  filtered_jacobian_verdicts({&corners, 1}, {&verdict, 1});
+  return verdict;
+}
 
-  const Coefficients<double> sums = determinant_sums(edges);
-  const auto has_sign = [&](std::size_t i, Sign sign) {
-    return filter.sign(sums[i], determinants_in(i)) == sign;
-  };
-  bool proven_positive = true;
-  for (std::size_t i = 0; i < sums.size() && proven_positive; ++i)
-    proven_positive = has_sign(i, Sign::positive);
-  if (proven_positive) return JacobianVerdict{Positivity::positive, false};
-  for (const std::size_t i : kCornerCoefficients)
-    if (has_sign(i, Sign::negative)) return JacobianVerdict{Positivity::not_positive, true};
-  return std::nullopt;
+void filtered_jacobian_verdicts(std::span<const Hexahedron> hexahedra,
+                                std::span<std::optional<JacobianVerdict>> verdicts) {
+  core::expects(hexahedra.size() == verdicts.size(), "exact: a verdict for each hexahedron");
+  static const FourJacobians kFourJacobians = four_jacobians();
+  for (std::size_t first = 0; first < hexahedra.size(); first += 4) {
+    const std::size_t count = std::min<std::size_t>(4, hexahedra.size() - first);
+    const auto corners = [&](std::size_t lane) {  // the last hexahedron fills the lanes left
+      return hexahedra[first + std::min(lane, count - 1)].data();
+    };
+    const LaneVerdicts lanes = kFourJacobians(corners(0), corners(1), corners(2), corners(3));
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      std::optional<JacobianVerdict>& verdict = verdicts[first + lane];
+      verdict.reset();
+      if ((lanes.overflow >> lane & 1U) != 0) expect_finite(hexahedra[first + lane]);
+      if ((lanes.positive >> lane & 1U) != 0) verdict = {Positivity::positive, false};
+      if ((lanes.corner_negative >> lane & 1U) != 0) verdict = {Positivity::not_positive, true};
+    }
+  }
 }
 
 }  // namespace hexatlas::exact

@@ -16,7 +16,7 @@
 ///
 /// Source. The test of a hexahedron by its 27 coefficients and subdivision: Johnen, Weill, Remacle,
 /// "Robust and efficient validation of the linear hexahedral element" (2017), arXiv 1706.01613.
-/// Error bound: realize/exact/determinant.hpp.
+/// Error bound: realize/exact/jacobian_lanes.hpp.
 ///
 /// Requires. Finite coordinates, else PreconditionViolated; rounding to nearest.
 
@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "realize/exact/sign.hpp"
 
@@ -57,5 +58,10 @@ struct JacobianVerdict {
 /// The verdict by double precision with a proven error bound and without subdivision: never
 /// `undecided`; nullopt where this does not suffice. Agrees with exact_jacobian_verdict.
 [[nodiscard]] std::optional<JacobianVerdict> filtered_jacobian_verdict(const Hexahedron& corners);
+
+/// The same of many hexahedra, which is faster for each: some 30 ns with AVX2, 150 without; the
+/// same verdicts. Requires. As many verdicts as hexahedra, else PreconditionViolated.
+void filtered_jacobian_verdicts(std::span<const Hexahedron> hexahedra,
+                                std::span<std::optional<JacobianVerdict>> verdicts);
 
 }  // namespace hexatlas::exact

@@ -1,14 +1,17 @@
-// Times of in-sphere and orientation signs, one call on average. Not a test: run by hand.
+// Times of in-sphere and orientation signs, one call on average, and of the verdicts on hexahedra.
+// Not a test: run by hand.
 #include <benchmark/benchmark.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <vector>
 
 #include "realize/exact/in_sphere.hpp"
+#include "realize/exact/jacobian.hpp"
 #include "realize/exact/orientation.hpp"
 
 namespace {
@@ -96,6 +99,40 @@ void orientation(benchmark::State& state, Points kind, bool ties) {
   time(state, tuples(kind, ties),
        [](const Tuple& p) { return exact::sign_of_orientation(p[0], p[1], p[2], p[3]); });
 }
+
+/// Unit cubes with corners moved by up to 0.2: all valid, as those of a mesh are.
+std::vector<exact::Hexahedron> moved_cubes() {
+  std::mt19937_64 random(20261122);
+  std::uniform_real_distribution<double> move(-0.2, 0.2);
+  std::vector<exact::Hexahedron> result(4096);
+  for (exact::Hexahedron& h : result)
+    for (std::size_t v = 0; v < 8; ++v) {
+      const auto at = [&](std::size_t k) {
+        return static_cast<double>(v >> k & 1U) + move(random);
+      };
+      h[v] = {at(0), at(1), at(2)};
+    }
+  return result;
+}
+
+void jacobian_single(benchmark::State& state) {
+  const std::vector<exact::Hexahedron> input = moved_cubes();
+  for (auto _ : state)
+    for (const auto& h : input) benchmark::DoNotOptimize(exact::filtered_jacobian_verdict(h));
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(input.size()));
+}
+BENCHMARK(jacobian_single);
+
+void jacobian_batch(benchmark::State& state) {
+  const std::vector<exact::Hexahedron> input = moved_cubes();
+  std::vector<std::optional<exact::JacobianVerdict>> verdicts(input.size());
+  for (auto _ : state) {
+    exact::filtered_jacobian_verdicts(input, verdicts);
+    benchmark::DoNotOptimize(verdicts.data());
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(input.size()));
+}
+BENCHMARK(jacobian_batch);
 BENCHMARK_CAPTURE(in_sphere, generic, Points::generic, false);
 BENCHMARK_CAPTURE(in_sphere, integer_grid, Points::integer_grid, false);
 BENCHMARK_CAPTURE(in_sphere, integer_tie, Points::integer_grid, true);

@@ -27,6 +27,7 @@ using quality::TetrahedronCorners;
 using quality::Validity;
 
 __extension__ using Wide = __int128;
+__extension__ using UnsignedWide = unsigned __int128;
 using Long = long double;
 using Vector = std::array<Long, 3>;
 
@@ -165,38 +166,44 @@ std::vector<CornerEdges> corner_edges(const TetrahedronCorners& /*cell*/) { retu
 std::vector<CornerEdges> corner_edges(const PrismCorners& /*cell*/) {
   return {{0, 1, 2, 3}, {1, 2, 0, 4}, {2, 0, 1, 5}, {3, 5, 4, 0}, {4, 3, 5, 1}, {5, 4, 3, 2}};
 }
+std::vector<CornerEdges> corner_edges(const quality::Corners& /*cell*/) {
+  return {{0, 1, 2, 4}, {1, 3, 0, 5}, {2, 0, 3, 6}, {3, 2, 1, 7},
+          {4, 6, 5, 0}, {5, 4, 7, 1}, {6, 7, 4, 2}, {7, 5, 6, 3}};
+}
 std::vector<CornerEdges> corner_edges(const PyramidCorners& /*cell*/) {
   return {{0, 1, 3, 4}, {1, 2, 0, 4}, {2, 3, 1, 4}, {3, 0, 2, 4}};
 }
 
-/// The sign of the least determinant at a corner, for integer coordinates below 2^40.
+/// The sign of the least determinant at a corner, for integers whose determinants are below 2^127;
+/// what they are computed from may wrap around.
 template <class Cell>
 int sign_of_least(const Cell& p) {
   int least = 1;
   for (const auto& [a, b, c, d] : corner_edges(p)) {
-    std::array<std::array<Wide, 3>, 3> m{};
+    std::array<std::array<UnsignedWide, 3>, 3> m{};
+    const auto difference = [](double from, double to) {
+      return static_cast<UnsignedWide>(Wide{std::llround(to)} - std::llround(from));
+    };
     std::size_t row = 0;
-    for (const std::size_t end : {b, c, d}) {
-      m[row++] = {std::llround(p[end].x) - std::llround(p[a].x),
-                  std::llround(p[end].y) - std::llround(p[a].y),
-                  std::llround(p[end].z) - std::llround(p[a].z)};
-    }
-    const Wide value = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-                       m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-                       m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    for (const std::size_t end : {b, c, d})
+      m[row++] = {difference(p[a].x, p[end].x), difference(p[a].y, p[end].y),
+                  difference(p[a].z, p[end].z)};
+    const auto value = static_cast<Wide>(m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                                         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                                         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]));
     least = std::min(least, value > 0 ? 1 : (value < 0 ? -1 : 0));
   }
   return least;
 }
 
-/// All edges near one plane and of length 2^38, heights of a few units: double precision sees no
+/// All edges near one plane and of length 2^48, heights of a few units: double precision sees no
 /// sign. The heights are drawn so that corners have all signs.
 template <class Cell>
 void expect_exact_signs(const Cell& unit, auto verdict_of, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::array<int, 3> seen{};
   for (int trial = 0; trial < 3000; ++trial) {
-    constexpr double kSide = 0x1p38;
+    constexpr double kSide = 0x1p48;
     const Cell cell = mapped(unit, [&](const Point& p) {
       const double noise = static_cast<double>(random() % 3) - 1;
       return Point{kSide * (p.x + p.z), kSide * p.y,
@@ -224,6 +231,10 @@ TEST(Cells, SignsAreExact) {
       quality::verdict_of_prism, 5);
   expect_exact_signs(PyramidCorners{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}}},
                      quality::verdict_of_pyramid, 6);
+  expect_exact_signs(
+      quality::Corners{
+          {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}},
+      quality::verdict_of_hexahedron, 7);
 }
 
 /// Edges of lengths that differ by 600 powers of ten: no measure is NaN or loses its sign.
@@ -242,6 +253,14 @@ TEST(Cells, EdgesOfVeryDifferentLengths) {
   const PrismCorners narrow{
       {{0, 0, 0}, {kHuge, 0, 0}, {0, kTiny, 0}, {0, 0, 1}, {kHuge, 0, 1}, {0, kTiny, 1}}};
   EXPECT_NEAR(quality::scaled_jacobian(narrow), 4 / (3 * std::sqrt(3.0)), 1e-14);
+  // All edges at corner 0 have the least length there is, and another corner is far away.
+  constexpr double kLeast = std::numeric_limits<double>::denorm_min();
+  const PyramidCorners far{
+      {{0, 0, 0}, {kLeast, 0, 0}, {kHuge, kHuge, 0}, {0, kLeast, 0}, {0, 0, kLeast}}};
+  const auto farther = mapped(far, [](const Point& p) {
+    return Point{p.x > 1 ? 1e307 : p.x, p.y > 1 ? 1e307 : p.y, p.z};
+  });
+  for (const auto& cell : {far, farther}) EXPECT_GT(quality::scaled_jacobian(cell), 0);
   const auto high = mapped(kPrism, [](const Point& p) { return Point{p.x, p.y, kHuge * p.z}; });
   EXPECT_NEAR(quality::scaled_jacobian(high), 1, 1e-14);
 }

@@ -7,3 +7,4 @@ hexatlas_test(realize_in_sphere_test fast
   USES realize_exact)
 hexatlas_test(realize_limbs_test fast SOURCES exact/limbs_test.cpp USES realize_exact)
 hexatlas_test(realize_prism_test fast SOURCES exact/prism_test.cpp USES realize_exact)
+hexatlas_test(realize_jacobian_filter_test fast SOURCES exact/jacobian_filter_test.cpp USES realize_exact)

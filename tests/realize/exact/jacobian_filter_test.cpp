@@ -1,0 +1,203 @@
+// Claim. The filter for hexahedra proves what it says, decides what is clear, and gives the same
+// verdicts one by one, in batches of any size, and by each implementation.
+// Oracle. The signs of the coefficients in integers. For small integer corners double precision
+// computes every sum without error, and the bound is below one: the filter must then decide
+// exactly by these signs. Near the bound it may leave open, and must not contradict.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "enum/core/errors.hpp"
+#include "realize/exact/jacobian.hpp"
+#include "realize/exact/jacobian_lanes.hpp"
+
+namespace {
+
+using namespace hexatlas;
+using exact::Hexahedron;
+using exact::JacobianVerdict;
+using exact::Positivity;
+using exact::Sign;
+
+constexpr JacobianVerdict kPositive{Positivity::positive, false};
+constexpr JacobianVerdict kInverted{Positivity::not_positive, true};
+
+/// A cube of side `side`, its corners moved by whole numbers up to `shift`.
+Hexahedron moved_cube(int side, int shift, std::mt19937_64& random) {
+  std::uniform_int_distribution<int> move(-shift, shift);
+  Hexahedron h{};
+  for (std::size_t v = 0; v < 8; ++v) {
+    const auto at = [&](std::size_t k) {
+      return static_cast<double>(side * static_cast<int>(v >> k & 1U) + move(random));
+    };
+    h[v] = {at(0), at(1), at(2)};
+  }
+  return h;
+}
+
+Hexahedron scaled(Hexahedron h, int exponent) {
+  for (auto& p : h)
+    p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+  return h;
+}
+
+bool all_positive(const std::array<Sign, 27>& signs) {
+  return std::all_of(signs.begin(), signs.end(), [](Sign s) { return s == Sign::positive; });
+}
+
+bool some_corner(const std::array<Sign, 27>& signs, Sign sign) {
+  const std::array<std::size_t, 8> corners{0, 2, 6, 8, 18, 20, 24, 26};
+  return std::any_of(corners.begin(), corners.end(),
+                     [&](std::size_t i) { return signs[i] == sign; });
+}
+
+std::optional<JacobianVerdict> expected(const Hexahedron& h) {
+  const auto signs = exact::signs_of_jacobian_coefficients(h);
+  if (all_positive(signs)) return kPositive;
+  if (some_corner(signs, Sign::negative)) return kInverted;
+  return std::nullopt;
+}
+
+TEST(JacobianFilter, DecidesSmallIntegersByTheirSigns) {
+  std::mt19937_64 random(20261126);
+  std::array<int, 3> seen{};
+  for (int trial = 0; trial < 12000; ++trial) {
+    const Hexahedron h = moved_cube(5 + trial % 4, 1 + trial % 5, random);
+    const auto verdict = expected(h);
+    ASSERT_EQ(exact::filtered_jacobian_verdict(h), verdict);
+    if (trial % 16 == 0) {
+      for (const int exponent : {-296, 290})
+        ASSERT_EQ(exact::filtered_jacobian_verdict(scaled(h, exponent)), verdict);
+    }
+    ++seen[verdict ? (*verdict == kPositive ? 0U : 1U) : 2U];
+  }
+  for (const int count : seen) EXPECT_GT(count, 300);
+}
+
+/// Coefficients of one kind are zero or negative, all others positive: a corner, an edge, a facet,
+/// the inside. Found among random hexahedra; the filter must not say `positive`.
+TEST(JacobianFilter, NoKindOfCoefficientIsOverlooked) {
+  std::mt19937_64 random(20261127);
+  std::array<int, 27> alone{};
+  for (int trial = 0; trial < 40000; ++trial) {
+    const Hexahedron h = moved_cube(4, 2, random);
+    const auto signs = exact::signs_of_jacobian_coefficients(h);
+    if (std::count(signs.begin(), signs.end(), Sign::positive) != 26) continue;
+    const auto at =
+        std::find_if(signs.begin(), signs.end(), [](Sign s) { return s != Sign::positive; });
+    ++alone[static_cast<std::size_t>(at - signs.begin())];
+    ASSERT_NE(exact::filtered_jacobian_verdict(h), kPositive);
+  }
+  for (const std::size_t i : {0U, 26U, 1U, 3U, 9U, 25U}) EXPECT_GT(alone[i], 0) << i;
+}
+
+/// Heights of some 2^-53 to 2^-38 of the side, in a sheared frame: results near the bound.
+TEST(JacobianFilter, NeverContradictsIntegers) {
+  std::mt19937_64 random(20261128);
+  std::array<int, 3> seen{};
+  for (int trial = 0; trial < 4000; ++trial) {
+    const double side = std::ldexp(1.0, 30 + trial % 20);
+    Hexahedron h{};
+    for (std::size_t v = 0; v < 8; ++v) {
+      const double x = (v & 1U) != 0 ? side : 0;
+      const double y = (v & 2U) != 0 ? side : 0;
+      const double noise = static_cast<double>(random() % 65) - 32;
+      const double height = (v & 4U) != 0 ? static_cast<double>(trial % 5 * 10) : 0;
+      h[v] = {x + noise / 4, y - noise / 8, x + y + height + noise / 2};
+    }
+    const auto verdict = exact::filtered_jacobian_verdict(h);
+    const auto signs = exact::signs_of_jacobian_coefficients(h);
+    if (verdict == kPositive) {
+      ASSERT_TRUE(all_positive(signs));
+    } else if (verdict) {
+      ASSERT_EQ(*verdict, kInverted);
+      ASSERT_TRUE(some_corner(signs, Sign::negative));
+    }
+    ++seen[verdict ? (*verdict == kPositive ? 0U : 1U) : 2U];
+  }
+  for (const int count : seen) EXPECT_GT(count, 100);
+}
+
+std::vector<Hexahedron> all_sorts() {
+  std::mt19937_64 random(20261129);
+  std::vector<Hexahedron> result;
+  for (int trial = 0; trial < 403; ++trial) {
+    const int exponent = std::array{0, -400, 0, 1000, -310, 0, 290, -1074}[trial % 8U];
+    result.push_back(scaled(moved_cube(6, 1 + trial % 4, random), exponent));
+  }
+  return result;
+}
+
+TEST(JacobianFilter, SameInBatchesOfAnySize) {
+  const std::vector<Hexahedron> hexahedra = all_sorts();
+  for (const std::size_t size : {0U, 1U, 2U, 3U, 4U, 5U, 7U, 8U, 403U}) {
+    std::vector<std::optional<JacobianVerdict>> verdicts(size, kInverted);
+    exact::filtered_jacobian_verdicts({hexahedra.data(), size}, verdicts);
+    for (std::size_t i = 0; i < size; ++i)
+      ASSERT_EQ(verdicts[i], exact::filtered_jacobian_verdict(hexahedra[i]));
+  }
+}
+
+TEST(JacobianFilter, SameByEachImplementation) {
+  std::vector<std::pair<std::string, exact::FourJacobians>> others{
+      {"chosen", exact::four_jacobians()}};
+#if defined(__x86_64__)
+  if (exact::four_jacobians_avx2() != nullptr && __builtin_cpu_supports("avx2") != 0)
+    others.emplace_back("avx2", exact::four_jacobians_avx2());
+#endif
+  const std::vector<Hexahedron> h = all_sorts();
+  unsigned decided = 0;
+  for (std::size_t i = 0; i + 3 < h.size(); ++i) {
+    const auto plain = exact::four_jacobians_plain()(h[i].data(), h[i + 1].data(), h[i + 2].data(),
+                                                     h[i + 3].data());
+    decided |= plain.positive | plain.corner_negative << 4U;
+    for (const auto& [name, function] : others) {
+      const auto lanes = function(h[i].data(), h[i + 1].data(), h[i + 2].data(), h[i + 3].data());
+      ASSERT_EQ(lanes.positive, plain.positive) << name;
+      ASSERT_EQ(lanes.corner_negative, plain.corner_negative) << name;
+      ASSERT_EQ(lanes.overflow, plain.overflow) << name;
+    }
+  }
+  EXPECT_EQ(decided, 255U);
+}
+
+TEST(JacobianFilter, HugeTinyAndFlat) {
+  std::mt19937_64 random(20261130);
+  const Hexahedron cube = moved_cube(4, 0, random);
+  EXPECT_EQ(exact::filtered_jacobian_verdict(cube), kPositive);
+  for (const int exponent : {-1000, 1000, 1021})
+    EXPECT_FALSE(exact::filtered_jacobian_verdict(scaled(cube, exponent)).has_value());
+  Hexahedron overflowing = cube;  // finite corners, infinite differences
+  overflowing[0].x = -std::numeric_limits<double>::max();
+  overflowing[1].x = std::numeric_limits<double>::max();
+  EXPECT_FALSE(exact::filtered_jacobian_verdict(overflowing).has_value());
+  EXPECT_FALSE(exact::filtered_jacobian_verdict(Hexahedron{}).has_value());
+}
+
+TEST(JacobianFilter, RefusesAnyCoordinateThatIsNotFinite) {
+  std::mt19937_64 random(20261131);
+  const std::vector<Hexahedron> cubes(6, moved_cube(4, 0, random));
+  std::vector<std::optional<JacobianVerdict>> verdicts(6);
+  for (const double wrong :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()})
+    for (std::size_t i = 0; i < 6 * 24; ++i) {
+      std::vector<Hexahedron> some = cubes;
+      exact::Point3& p = some[i / 24][i % 8];
+      (i / 8 % 3 == 0 ? p.x : i / 8 % 3 == 1 ? p.y : p.z) = wrong;
+      EXPECT_THROW(exact::filtered_jacobian_verdicts(some, verdicts), core::PreconditionViolated);
+    }
+  EXPECT_THROW(exact::filtered_jacobian_verdicts(cubes, {verdicts.data(), 5}),
+               core::PreconditionViolated);
+}
+
+}  // namespace
