@@ -36,6 +36,8 @@ std::string name_of(Content content) {
       return "tetrahedra";
     case Content::hexahedra:
       return "hexahedra";
+    case Content::hybrid:
+      return "hybrid meshes";
   }
   throw core::PreconditionViolated("name_of: the content is one of the enumerators");
 }

@@ -26,7 +26,7 @@ enum class FileFormat : std::uint8_t {
 };
 
 /// What a caller wants of a file, or puts into it.
-enum class Content : std::uint8_t { points, surface, tetrahedra, hexahedra };
+enum class Content : std::uint8_t { points, surface, tetrahedra, hexahedra, hybrid };
 
 /// The extension of the format, with its dot.
 [[nodiscard]] std::string_view extension_of(FileFormat format);

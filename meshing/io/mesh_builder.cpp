@@ -33,13 +33,14 @@ void MeshBuilder::fail(std::size_t line, const std::string& reason) const {
 void MeshBuilder::reserve_points(std::size_t count) { points_.reserve(points_.size() + count); }
 
 void MeshBuilder::reserve_cells(const CellType& type, std::size_t count) {
-  if (wanted_ == Wanted::surface && type.shape == CellShape::quad) {
+  if (is_passed_over(type)) return;
+  if (type.shape == CellShape::tetrahedron) {
+    tetrahedra_.reserve(tetrahedra_.size() + count);
+  } else if (type.shape == CellShape::hexahedron) {
+    hexahedra_.reserve(hexahedra_.size() + count);
+  } else if (wanted_ == Wanted::surface && type.shape == CellShape::quad) {
     quads_.reserve(quads_.size() + count);
     quad_line_.reserve(quad_line_.size() + count);
-  } else if (wanted_ == Wanted::tetrahedra && type.shape == CellShape::tetrahedron) {
-    tetrahedra_.reserve(tetrahedra_.size() + count);
-  } else if (wanted_ == Wanted::hexahedra && type.shape == CellShape::hexahedron) {
-    hexahedra_.reserve(hexahedra_.size() + count);
   }
 }
 
@@ -73,9 +74,14 @@ void MeshBuilder::check_kind(const CellType& type, std::size_t line) const {
       fail(line, name + "; every cell must be a hexahedron");
     return;
   }
-  if (wanted_ == Wanted::tetrahedra) {
-    if (type.shape != CellShape::tetrahedron)
+  if (wanted_ == Wanted::tetrahedra || wanted_ == Wanted::tet_model) {
+    if (type.shape != CellShape::tetrahedron && !is_a_facet(type))
       fail(line, name + "; every cell must be a tetrahedron");
+    return;
+  }
+  if (wanted_ == Wanted::hybrid) {
+    if (type.shape == CellShape::volume)
+      fail(line, name + "; every cell must be a tetrahedron, hexahedron, prism or pyramid");
     return;
   }
   const bool quads_only = wanted_ == Wanted::surface;
@@ -87,43 +93,91 @@ void MeshBuilder::check_kind(const CellType& type, std::size_t line) const {
     fail(line, name + "; every facet must be a triangle or a quad");
 }
 
+bool MeshBuilder::is_passed_over(const CellType& type) const {
+  switch (wanted_) {
+    case Wanted::points:
+      return true;
+    case Wanted::tet_model:
+      return type.shape == CellShape::low || (is_a_facet(type) && !is_a_triangle(type));
+    case Wanted::tetrahedra:
+    case Wanted::hexahedra:
+    case Wanted::hybrid:
+      return type.shape == CellShape::low || is_a_facet(type);
+    case Wanted::surface:
+    case Wanted::facets:
+      break;
+  }
+  return type.shape == CellShape::low;
+}
+
+std::uint32_t MeshBuilder::to_reference(std::int64_t reference, std::size_t line) const {
+  const auto number = static_cast<std::uint32_t>(reference);
+  if (number != reference)
+    fail(line, "reference " + std::to_string(reference) + " is not between 0 and 4294967295");
+  return number;
+}
+
+void MeshBuilder::keep_facet(const CellType& type, std::span<const Index> vertices,
+                             std::size_t line, std::optional<std::int64_t> reference) {
+  if (wanted_ == Wanted::tet_model) {
+    triangles_.push_back({vertices[0], vertices[1], vertices[2]});
+    colours_.push_back(to_reference(reference.value_or(0), line));
+    return;
+  }
+  const auto line_number = static_cast<std::uint32_t>(line);
+  if (is_a_triangle(type)) {
+    facets_.push_back({{vertices[0], vertices[1], vertices[2], 0}, 3, line_number});
+    return;
+  }
+  const bool cyclic = type.shape == CellShape::quad;
+  const std::array<Index, 4> quad{vertices[0], vertices[1], vertices[cyclic ? 2 : 3],
+                                  vertices[cyclic ? 3 : 2]};
+  if (wanted_ == Wanted::facets) {
+    facets_.push_back({quad, 4, line_number});
+    return;
+  }
+  quads_.push_back(quad);
+  quad_line_.push_back(line_number);
+}
+
+void MeshBuilder::keep_volume(const CellType& type, std::span<const Index> vertices,
+                              std::size_t line, std::optional<std::int64_t> reference) {
+  const auto keep = [&vertices](auto& cells, auto&& corner_at) {
+    auto& cell = cells.emplace_back();
+    for (std::size_t i = 0; i < cell.size(); ++i) cell[corner_at(i)] = vertices[i];
+  };
+  const auto as_it_is = [](std::size_t i) { return i; };
+  switch (type.shape) {
+    case CellShape::tetrahedron:
+      keep(tetrahedra_, as_it_is);
+      if (wanted_ == Wanted::tet_model && reference)
+        regions_.push_back(to_reference(*reference, line));
+      return;
+    case CellShape::hexahedron:
+      return keep(hexahedra_, [](std::size_t i) { return kFileCorner[i]; });
+    case CellShape::voxel:
+      return keep(hexahedra_, as_it_is);
+    case CellShape::prism:
+      return keep(prisms_, as_it_is);
+    case CellShape::wedge:
+      return keep(prisms_, [](std::size_t i) { return kWedgeCorner[i]; });
+    case CellShape::pyramid:
+      return keep(pyramids_, as_it_is);
+    default:
+      throw core::PreconditionViolated("keep_volume: the cell is one that is kept");
+  }
+}
+
 void MeshBuilder::add_cell(const CellType& declared, std::span<const Index> vertices,
-                           std::size_t line) {
+                           std::size_t line, std::optional<std::int64_t> reference) {
   // A polygon is named by its number of corners; four make it a quad.
   const CellType type = declared.name == "polygon" ? polygon_type(vertices.size()) : declared;
   check_vertices(type, vertices, line);
-  const bool is_quad = is_a_quad(type);
-  const bool wants_volumes = wanted_ == Wanted::tetrahedra || wanted_ == Wanted::hexahedra;
-  if (wanted_ == Wanted::points || type.shape == CellShape::low ||
-      (is_a_facet(type) && wants_volumes))
-    return;
+  if (is_passed_over(type)) return;
   check_kind(type, line);
   check_distinct(type, vertices, line);
-
-  if (is_quad) {
-    const bool cyclic = type.shape == CellShape::quad;
-    const std::array<Index, 4> quad{vertices[0], vertices[1], vertices[cyclic ? 2 : 3],
-                                    vertices[cyclic ? 3 : 2]};
-    if (wanted_ == Wanted::facets) {
-      facets_.push_back({quad, 4, static_cast<std::uint32_t>(line)});
-      return;
-    }
-    quads_.push_back(quad);
-    quad_line_.push_back(static_cast<std::uint32_t>(line));
-    return;
-  }
-  if (is_a_triangle(type)) {
-    facets_.push_back(
-        {{vertices[0], vertices[1], vertices[2], 0}, 3, static_cast<std::uint32_t>(line)});
-    return;
-  }
-  if (type.shape == CellShape::tetrahedron) {
-    tetrahedra_.push_back({vertices[0], vertices[1], vertices[2], vertices[3]});
-    return;
-  }
-  std::array<Index, 8>& hexahedron = hexahedra_.emplace_back();
-  for (std::size_t i = 0; i < hexahedron.size(); ++i)
-    hexahedron[type.shape == CellShape::voxel ? i : kFileCorner[i]] = vertices[i];
+  is_a_facet(type) ? keep_facet(type, vertices, line, reference)
+                   : keep_volume(type, vertices, line, reference);
 }
 
 void MeshBuilder::check_indices() const {
@@ -153,6 +207,10 @@ mesh::TetMesh MeshBuilder::take_tetrahedra() {
   return {std::move(points_), std::move(tetrahedra_)};
 }
 
+mesh::TetModel MeshBuilder::take_tet_model() {
+  return {take_tetrahedra(), std::move(regions_), std::move(triangles_), std::move(colours_)};
+}
+
 std::vector<mesh::Point> MeshBuilder::take_points() {
   check_indices();
   return std::move(points_);
@@ -161,6 +219,14 @@ std::vector<mesh::Point> MeshBuilder::take_points() {
 mesh::HexMesh MeshBuilder::take_hexahedra() {
   check_complete(!hexahedra_.empty(), "hexahedron");
   return {std::move(points_), std::move(hexahedra_)};
+}
+
+mesh::HybridMesh MeshBuilder::take_hybrid() {
+  check_complete(
+      !tetrahedra_.empty() || !hexahedra_.empty() || !prisms_.empty() || !pyramids_.empty(),
+      "tetrahedron, hexahedron, prism or pyramid");
+  return {std::move(points_), std::move(tetrahedra_), std::move(hexahedra_), std::move(prisms_),
+          std::move(pyramids_)};
 }
 
 }  // namespace hexatlas::io

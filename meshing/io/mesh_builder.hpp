@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,7 +19,15 @@
 
 namespace hexatlas::io {
 
-enum class Wanted : std::uint8_t { points, surface, facets, tetrahedra, hexahedra };
+enum class Wanted : std::uint8_t {
+  points,
+  surface,
+  facets,
+  tetrahedra,
+  tet_model,  ///< tetrahedra, triangles and their references
+  hexahedra,
+  hybrid,  ///< tetrahedra, hexahedra, prisms and pyramids
+};
 
 class MeshBuilder {
  public:
@@ -30,8 +39,10 @@ class MeshBuilder {
 
   void add_point(const mesh::Point& point, std::size_t line);
 
-  /// Keeps, ignores or refuses the cell; indices count from 0.
-  void add_cell(const CellType& declared, std::span<const mesh::Index> vertices, std::size_t line);
+  /// Keeps, ignores or refuses the cell; indices count from 0. `reference`: of what the cell is a
+  /// part, where the format says so for every cell.
+  void add_cell(const CellType& declared, std::span<const mesh::Index> vertices, std::size_t line,
+                std::optional<std::int64_t> reference = {});
 
   [[nodiscard]] std::size_t point_count() const { return points_.size(); }
   [[nodiscard]] const std::string& file() const { return file_; }
@@ -41,7 +52,9 @@ class MeshBuilder {
   [[nodiscard]] mesh::SurfaceMesh take_surface();
   [[nodiscard]] mesh::FacetMesh take_facets();
   [[nodiscard]] mesh::TetMesh take_tetrahedra();
+  [[nodiscard]] mesh::TetModel take_tet_model();
   [[nodiscard]] mesh::HexMesh take_hexahedra();
+  [[nodiscard]] mesh::HybridMesh take_hybrid();
 
   /// The points, also if there are none.
   [[nodiscard]] std::vector<mesh::Point> take_points();
@@ -53,6 +66,12 @@ class MeshBuilder {
   void check_distinct(const CellType& type, std::span<const mesh::Index> vertices,
                       std::size_t line) const;
   void check_kind(const CellType& type, std::size_t line) const;
+  [[nodiscard]] bool is_passed_over(const CellType& type) const;
+  void keep_facet(const CellType& type, std::span<const mesh::Index> vertices, std::size_t line,
+                  std::optional<std::int64_t> reference);
+  void keep_volume(const CellType& type, std::span<const mesh::Index> vertices, std::size_t line,
+                   std::optional<std::int64_t> reference);
+  [[nodiscard]] std::uint32_t to_reference(std::int64_t reference, std::size_t line) const;
   void check_indices() const;
   void check_complete(bool has_cells, const char* cell) const;
 
@@ -64,7 +83,12 @@ class MeshBuilder {
   std::vector<std::uint32_t> quad_line_;
   std::vector<mesh::Facet> facets_;
   std::vector<std::array<mesh::Index, 4>> tetrahedra_;
+  std::vector<std::uint32_t> regions_;  ///< of the tetrahedra
+  std::vector<std::array<mesh::Index, 3>> triangles_;
+  std::vector<std::uint32_t> colours_;  ///< of the triangles
   std::vector<std::array<mesh::Index, 8>> hexahedra_;
+  std::vector<mesh::Prism> prisms_;
+  std::vector<mesh::Pyramid> pyramids_;
   std::uint64_t index_bound_ = 0;     ///< least number of points that the cells seen need
   std::size_t index_bound_line_ = 0;  ///< the line that needs them
 };

@@ -24,9 +24,12 @@ Content content_of(Wanted wanted) {
     case Wanted::facets:
       return Content::surface;
     case Wanted::tetrahedra:
+    case Wanted::tet_model:
       return Content::tetrahedra;
     case Wanted::hexahedra:
       return Content::hexahedra;
+    case Wanted::hybrid:
+      return Content::hybrid;
   }
   throw core::PreconditionViolated("content_of: the argument is one of the enumerators");
 }
@@ -107,6 +110,14 @@ mesh::HexMesh parse_hexahedra(std::string_view bytes, FileFormat format, const s
   return parse(bytes, format, file, Wanted::hexahedra).take_hexahedra();
 }
 
+mesh::TetModel parse_tet_model(std::string_view bytes, FileFormat format, const std::string& file) {
+  return parse(bytes, format, file, Wanted::tet_model).take_tet_model();
+}
+
+mesh::HybridMesh parse_hybrid(std::string_view bytes, FileFormat format, const std::string& file) {
+  return parse(bytes, format, file, Wanted::hybrid).take_hybrid();
+}
+
 std::vector<mesh::Point> read_points(const std::string& path, std::optional<FileFormat> format) {
   return load(path, format, Wanted::points).take_points();
 }
@@ -125,6 +136,14 @@ mesh::TetMesh read_tetrahedra(const std::string& path, std::optional<FileFormat>
 
 mesh::HexMesh read_hexahedra(const std::string& path, std::optional<FileFormat> format) {
   return load(path, format, Wanted::hexahedra).take_hexahedra();
+}
+
+mesh::TetModel read_tet_model(const std::string& path, std::optional<FileFormat> format) {
+  return load(path, format, Wanted::tet_model).take_tet_model();
+}
+
+mesh::HybridMesh read_hybrid(const std::string& path, std::optional<FileFormat> format) {
+  return load(path, format, Wanted::hybrid).take_hybrid();
 }
 
 }  // namespace hexatlas::io

@@ -7,13 +7,17 @@
 /// the mesh are those of the file, less 1 where the file counts from 1; in Gmsh files, whose
 /// tags may be sparse, they are positions in the list of nodes. Coordinates are rounded
 /// correctly, denormal numbers and the sign of zero included, and written in the shortest form
-/// that reads back to the same bits, whatever the locale. The order of the corners of a
-/// hexahedron is converted (cell_types.hpp); orientation is not changed.
+/// that reads back to the same bits, whatever the locale. The order of the corners of hexahedra,
+/// and of prisms in the VTK formats, is converted (cell_types.hpp); orientation is not changed.
 ///
 /// A surface file consists of quads, a file of facets of triangles and quads; points and edges
 /// among them are ignored. A hexahedral file consists of hexahedra, a tetrahedral one of
-/// tetrahedra; cells of lower dimension are ignored. Of a file of points any cells are ignored, and
-/// there need be none. Attributes are ignored.
+/// tetrahedra, a hybrid one of tetrahedra, hexahedra, prisms and pyramids, of which some may be
+/// missing; cells of lower dimension are ignored. A model is a tetrahedral file with attributes: of
+/// its triangles, which are kept, and of its tetrahedra the references in .mesh and the tags of the
+/// geometrical entity in .msh (the second tag of an element in version 2.2; 0 if there is none);
+/// other formats have no such attributes that are read. Of a file of points any cells are ignored,
+/// and there need be none. Other attributes are ignored.
 ///
 /// Errors: InvalidInput with the line for each defect: other cells, files that are cut or
 /// contradict themselves, indices outside the list of points, a vertex twice in a cell, numbers
@@ -26,7 +30,7 @@
 /// file, since counts are compared with the bytes left before anything is allocated, and
 /// compressed arrays with the largest ratio that zlib can reach. Of points in .bin: the file and
 /// the points. Writing to a path takes no memory for the file, only for what is in other order
-/// there (hexahedra) and for compressed arrays (.vtu with hexahedra).
+/// there (hexahedra, prisms) and for compressed arrays (.vtu with hexahedra alone).
 ///
 /// Not promised: that the surface is closed, oriented or manifold; that cells have positive
 /// volume; that points are distinct. A cut is noticed except in .obj and .xyz, which have no
@@ -63,6 +67,16 @@ namespace hexatlas::io {
 [[nodiscard]] mesh::TetMesh parse_tetrahedra(std::string_view bytes, FileFormat format,
                                              const std::string& file);
 
+/// The same, with the regions of the tetrahedra (none in .vtk .vtu .hxtet) and with the triangles
+/// and their colours (0 in .vtk .vtu; no triangles in .hxtet). References are from 0 to 2^32 - 1.
+[[nodiscard]] mesh::TetModel parse_tet_model(std::string_view bytes, FileFormat format,
+                                             const std::string& file);
+
+/// The cells of four shapes in these bytes (.vtk .vtu .mesh .msh), those of each in their order; a
+/// voxel is a hexahedron.
+[[nodiscard]] mesh::HybridMesh parse_hybrid(std::string_view bytes, FileFormat format,
+                                            const std::string& file);
+
 /// The hexahedra in these bytes (.vtk .vtu .mesh .msh).
 [[nodiscard]] mesh::HexMesh parse_hexahedra(std::string_view bytes, FileFormat format,
                                             const std::string& file);
@@ -77,7 +91,11 @@ namespace hexatlas::io {
                                           std::optional<FileFormat> format = {});
 [[nodiscard]] mesh::TetMesh read_tetrahedra(const std::string& path,
                                             std::optional<FileFormat> format = {});
+[[nodiscard]] mesh::TetModel read_tet_model(const std::string& path,
+                                            std::optional<FileFormat> format = {});
 [[nodiscard]] mesh::HexMesh read_hexahedra(const std::string& path,
+                                           std::optional<FileFormat> format = {});
+[[nodiscard]] mesh::HybridMesh read_hybrid(const std::string& path,
                                            std::optional<FileFormat> format = {});
 
 enum class GmshVersion : std::uint8_t { v2_2, v4_1 };
@@ -105,6 +123,12 @@ struct WriteOptions {
 /// Requires: a format that holds tetrahedra, finite coordinates, indices below points.size().
 [[nodiscard]] std::string to_text(const mesh::TetView& mesh, FileFormat format);
 
+/// The file as bytes: its tetrahedra, hexahedra, prisms and pyramids in this order; .vtu and .msh
+/// as for tetrahedra. The same mesh gives the same bytes. No cells at all can be written, though
+/// not be read again. Requires: a format that holds hybrid meshes, finite coordinates, indices
+/// below points.size().
+[[nodiscard]] std::string to_text(const mesh::HybridMesh& mesh, FileFormat format);
+
 /// Tells before long work what would make it be in vain: that write_hexahedra() would throw
 /// InvalidInput as the file system stands. Writes nothing.
 void expect_hexahedra_writable(const std::string& path, std::optional<FileFormat> format = {});
@@ -119,5 +143,10 @@ void write_hexahedra(const std::string& path, const mesh::HexMesh& mesh,
 void expect_tetrahedra_writable(const std::string& path, std::optional<FileFormat> format = {});
 void write_tetrahedra(const std::string& path, const mesh::TetView& mesh,
                       std::optional<FileFormat> format = {});
+
+/// The same for hybrid meshes.
+void expect_hybrid_writable(const std::string& path, std::optional<FileFormat> format = {});
+void write_hybrid(const std::string& path, const mesh::HybridMesh& mesh,
+                  std::optional<FileFormat> format = {});
 
 }  // namespace hexatlas::io

@@ -181,7 +181,8 @@ class GmshReader {
                                "second node with tag " + std::to_string(node->tag));
   }
 
-  void add_cell(const CellType& type) {
+  /// `entity`: the tag of the geometrical entity that the cell belongs to.
+  void add_cell(const CellType& type, std::int64_t entity) {
     const auto vertices = static_cast<std::size_t>(type.vertices);
     std::array<mesh::Index, 27> corners{};
     for (std::size_t i = 0; i < vertices; ++i) {
@@ -190,7 +191,7 @@ class GmshReader {
       if (position == nullptr) scanner_.fail("there is no node with tag " + std::to_string(tag));
       corners[i] = *position;
     }
-    builder_.add_cell(type, std::span(corners).first(vertices), line());
+    builder_.add_cell(type, std::span(corners).first(vertices), line(), entity);
   }
 
   [[nodiscard]] CellType read_type() {
@@ -218,9 +219,15 @@ class GmshReader {
     }
   }
 
-  void skip_tags(std::int64_t count) {
+  /// Tags of an element, of which the second one is that of the entity; 0 if there is none.
+  [[nodiscard]] std::int64_t read_entity(std::int64_t count) {
     const std::size_t tags = checked(count, 1, 0);
-    for (std::size_t i = 0; i < tags; ++i) static_cast<void>(small("a tag"));
+    std::int64_t entity = 0;
+    for (std::size_t i = 0; i < tags; ++i) {
+      const std::int64_t tag = small("a tag");
+      if (i == 1) entity = tag;
+    }
+    return entity;
   }
 
   void read_elements() {
@@ -229,8 +236,7 @@ class GmshReader {
       if (!is_binary_) {
         static_cast<void>(small("the tag of an element"));
         const CellType type = read_type();
-        skip_tags(small("the number of tags"));
-        add_cell(type);
+        add_cell(type, read_entity(small("the number of tags")));
         ++i;
         continue;
       }
@@ -241,8 +247,7 @@ class GmshReader {
         scanner_.fail("block of " + std::to_string(follow) + " elements");
       for (std::int64_t k = 0; k < follow; ++k, ++i) {
         static_cast<void>(small("the tag of an element"));
-        skip_tags(tags);
-        add_cell(type);
+        add_cell(type, read_entity(tags));
       }
     }
   }
@@ -290,14 +295,14 @@ class GmshReader {
     auto [blocks, left] = read_totals("the number of elements", 2);
     for (; blocks > 0; --blocks) {
       static_cast<void>(small("the dimension of an entity"));
-      static_cast<void>(small("the tag of an entity"));
+      const std::int64_t entity = small("the tag of an entity");
       const CellType type = read_type();
       const std::size_t size = read_block_size(left, static_cast<std::size_t>(type.vertices) + 1);
       left -= size;
       builder_.reserve_cells(type, size);
       for (std::size_t i = 0; i < size; ++i) {
         static_cast<void>(large("the tag of an element"));
-        add_cell(type);
+        add_cell(type, entity);
       }
     }
     if (left != 0) scanner_.fail("fewer elements in the blocks than announced");

@@ -24,8 +24,8 @@ constexpr std::array kCellSections{
     CellSection{"Quads", kQuad},
     CellSection{kFileTetrahedron.medit, kTetrahedron},
     CellSection{kFileHexahedron.medit, kHexahedron},
-    CellSection{"Prisms", {"prism", CellShape::volume, 6}},
-    CellSection{"Pyramids", {"pyramid", CellShape::volume, 5}},
+    CellSection{kFilePrism.medit, kPrism},
+    CellSection{kFilePyramid.medit, kPyramid},
 };
 
 /// Sections skipped by their count: so many numbers per row.
@@ -104,8 +104,8 @@ void read_cells(Scanner& scanner, const CellType& type, MeshBuilder& builder) {
       corners[k] = scanner.index(1);
       if (k == 0) line = scanner.line();
     }
-    builder.add_cell(type, std::span(corners).first(vertices), line);
-    static_cast<void>(scanner.integer("the reference of the cell"));
+    const std::int64_t reference = scanner.integer("the reference of the cell");
+    builder.add_cell(type, std::span(corners).first(vertices), line, reference);
   }
 }
 

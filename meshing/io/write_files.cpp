@@ -74,21 +74,40 @@ void write_file(const std::string& path, const CellsToWrite& cells, FileFormat f
                             [&](const core::Sink& sink) { write(cells, format, manner, sink); });
 }
 
-/// The corners of a hexahedron in the order of files.
-std::vector<Hexahedron> in_file_order(const std::vector<Hexahedron>& hexahedra) {
-  std::vector<Hexahedron> all(hexahedra.size());
+bool is_of_vtk(FileFormat format) { return format == FileFormat::vtk || format == FileFormat::vtu; }
+
+/// Position i has the corner order[i].
+template <std::size_t N, class Order>
+std::vector<std::array<Index, N>> ordered(const std::vector<std::array<Index, N>>& cells,
+                                          const Order& order) {
+  std::vector<std::array<Index, N>> all(cells.size());
   for (std::size_t i = 0; i < all.size(); ++i)
-    std::transform(kFileCorner.begin(), kFileCorner.end(), all[i].begin(),
-                   [&](cells::CubeVertex corner) { return hexahedra[i][corner]; });
+    std::transform(order.begin(), order.end(), all[i].begin(),
+                   [&](std::size_t corner) { return cells[i][corner]; });
   return all;
 }
+
+/// The corners of hexahedra in the order of files.
+std::vector<Hexahedron> in_file_order(const std::vector<Hexahedron>& hexahedra) {
+  return ordered(hexahedra, kFileCorner);
+}
+
+/// The cells that a format lists in another order of corners.
+struct Ordered {
+  std::vector<Hexahedron> hexahedra;
+  std::vector<mesh::Prism> prisms;  ///< empty unless the format is one of VTK
+
+  Ordered(const mesh::HybridMesh& mesh, FileFormat format)
+      : hexahedra(in_file_order(mesh.hexahedra)),
+        prisms(is_of_vtk(format) ? ordered(mesh.prisms, kWedgeCorner)
+                                 : std::vector<mesh::Prism>{}) {}
+};
 
 /// `ordered`: in_file_order() of the hexahedra; it outlives the result.
 CellsToWrite cells_of(const mesh::HexMesh& mesh, const std::vector<Hexahedron>& ordered,
                       FileFormat format, const WriteOptions& options) {
-  const bool has_single_list = format == FileFormat::vtk || format == FileFormat::vtu;
   CellsToWrite cells{mesh.points, {}};
-  if (!has_single_list) cells.add(kFileQuad, std::span(options.boundary));
+  if (!is_of_vtk(format)) cells.add(kFileQuad, std::span(options.boundary));
   cells.add(kFileHexahedron, std::span(ordered));
   return cells;
 }
@@ -99,8 +118,18 @@ CellsToWrite cells_of(const mesh::TetView& mesh) {
   return cells;
 }
 
-/// Compression would take most of the time that millions of tetrahedra need.
-constexpr Manner kTetrahedraManner{GmshVersion::v4_1, VtuArrays::appended_raw};
+/// Both arguments outlive the result.
+CellsToWrite cells_of(const mesh::HybridMesh& mesh, const Ordered& in_order) {
+  CellsToWrite cells{mesh.points, {}};
+  cells.add(kFileTetrahedron, std::span(mesh.tetrahedra));
+  cells.add(kFileHexahedron, std::span(in_order.hexahedra));
+  cells.add(kFilePrism, std::span(in_order.prisms.empty() ? mesh.prisms : in_order.prisms));
+  cells.add(kFilePyramid, std::span(mesh.pyramids));
+  return cells;
+}
+
+/// Compression would take most of the time that millions of cells need.
+constexpr Manner kLargeManner{GmshVersion::v4_1, VtuArrays::appended_raw};
 
 FileFormat format_to_write(const std::string& path, std::optional<FileFormat> format,
                            Content content) {
@@ -134,7 +163,12 @@ std::string to_text(const mesh::SurfaceMesh& mesh, FileFormat format, GmshVersio
 
 std::string to_text(const mesh::TetView& mesh, FileFormat format) {
   core::expects(holds(format, Content::tetrahedra), "to_text: the format holds tetrahedra");
-  return to_text(cells_of(mesh), format, kTetrahedraManner);
+  return to_text(cells_of(mesh), format, kLargeManner);
+}
+
+std::string to_text(const mesh::HybridMesh& mesh, FileFormat format) {
+  core::expects(holds(format, Content::hybrid), "to_text: the format holds hybrid meshes");
+  return to_text(cells_of(mesh, Ordered(mesh, format)), format, kLargeManner);
 }
 
 void expect_hexahedra_writable(const std::string& path, std::optional<FileFormat> format) {
@@ -143,6 +177,10 @@ void expect_hexahedra_writable(const std::string& path, std::optional<FileFormat
 
 void expect_tetrahedra_writable(const std::string& path, std::optional<FileFormat> format) {
   expect_mesh_writable(path, format, Content::tetrahedra);
+}
+
+void expect_hybrid_writable(const std::string& path, std::optional<FileFormat> format) {
+  expect_mesh_writable(path, format, Content::hybrid);
 }
 
 void write_hexahedra(const std::string& path, const mesh::HexMesh& mesh,
@@ -155,7 +193,13 @@ void write_hexahedra(const std::string& path, const mesh::HexMesh& mesh,
 void write_tetrahedra(const std::string& path, const mesh::TetView& mesh,
                       std::optional<FileFormat> format) {
   const FileFormat known = format_to_write(path, format, Content::tetrahedra);
-  write_file(path, cells_of(mesh), known, kTetrahedraManner);
+  write_file(path, cells_of(mesh), known, kLargeManner);
+}
+
+void write_hybrid(const std::string& path, const mesh::HybridMesh& mesh,
+                  std::optional<FileFormat> format) {
+  const FileFormat known = format_to_write(path, format, Content::hybrid);
+  write_file(path, cells_of(mesh, Ordered(mesh, known)), known, kLargeManner);
 }
 
 }  // namespace hexatlas::io

@@ -64,6 +64,15 @@ struct TetView {
   std::span<const std::array<Index, 4>> tetrahedra;
 };
 
+/// Tetrahedra with what hybrid meshing needs beside them: to which region each belongs, and
+/// triangles with the surface (the colour) to which each belongs.
+struct TetModel {
+  TetMesh mesh;
+  std::vector<std::uint32_t> regions;  ///< one per tetrahedron, or none at all: one region
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<std::uint32_t> colours;  ///< one per triangle
+};
+
 /// Bottom triangle 0 1 2, top triangle 3 4 5, i + 3 above i; a right-handed one has
 /// det(p1 - p0, p2 - p0, p3 - p0) > 0.
 using Prism = std::array<Index, 6>;

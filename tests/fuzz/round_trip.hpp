@@ -15,7 +15,7 @@
 
 #include "enum/core/errors.hpp"
 #include "meshing/io/mesh_files.hpp"
-#include "tests/meshing/io/samples.hpp"
+#include "tests/meshing/io/sample_hybrid.hpp"
 
 namespace hexatlas::fuzz {
 
@@ -23,6 +23,7 @@ struct Outcome {
   bool is_surface = false;
   bool is_hexahedral = false;
   bool is_tetrahedral = false;
+  bool is_hybrid = false;
   bool has_points = false;
 };
 
@@ -38,6 +39,8 @@ bool obeys_round_trip(std::string_view bytes, io::FileFormat format,
     std::string text;
     if constexpr (requires { mesh->quads; })
       text = io::to_text(*mesh, format, version);
+    else if constexpr (requires { mesh->prisms; })
+      text = io::to_text(*mesh, format);
     else if constexpr (requires { mesh->tetrahedra; })
       text = io::to_text(mesh::TetView{mesh->points, mesh->tetrahedra}, format);
     else
@@ -75,8 +78,17 @@ inline Outcome check_bytes(std::string_view bytes, io::FileFormat format) {
                               return read(text, format, "input");
                             }));
   };
-  return {obeys(io::parse_surface), obeys(io::parse_hexahedra), obeys(io::parse_tetrahedra),
-          points.has_value()};
+  const bool is_tetrahedral = obeys(io::parse_tetrahedra);
+  // A model is a tetrahedral mesh; its references may be refused.
+  const auto model = refusable(
+      [&](std::string_view text) { return io::parse_tet_model(text, format, "input"); })(bytes);
+  if (model && !is_tetrahedral) throw std::logic_error("a model of no tetrahedral mesh");
+  if (model &&
+      (model->colours.size() != model->triangles.size() ||
+       (!model->regions.empty() && model->regions.size() != model->mesh.tetrahedra.size())))
+    throw std::logic_error("references of a model");
+  return {obeys(io::parse_surface), obeys(io::parse_hexahedra), is_tetrahedral,
+          obeys(io::parse_hybrid), points.has_value()};
 }
 
 }  // namespace hexatlas::fuzz

@@ -2,12 +2,16 @@
 //   mesh_tool write-hexahedra FORMAT FILE     FORMAT: vtk vtu medit gmsh2 gmsh4
 //   mesh_tool write-surface FORMAT FILE       FORMAT: these, obj, off
 //   mesh_tool write-tetrahedra FORMAT FILE    FORMAT: vtk vtu medit gmsh4 hxtet
+//   mesh_tool write-hybrid FORMAT FILE        FORMAT: vtk vtu medit gmsh4
 //   mesh_tool print-hexahedra FILE
+//   mesh_tool print-hybrid FILE
 //   mesh_tool print-tetrahedra FILE
 //   mesh_tool print-surface FILE
 //   mesh_tool print-points FILE
 // The mesh written is a grid of 3 x 2 x 2 skewed hexahedra; the surface is its boundary; of
-// tetrahedra there are six in each hexahedron, around a diagonal.
+// tetrahedra there are six in each hexahedron, around a diagonal; of a hybrid mesh every second
+// hexahedron is cut, in turn in two prisms, six pyramids around its centre, or six tetrahedra, so
+// that it is not conforming.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -45,16 +49,50 @@ mesh::HexMesh make_grid() {
   return mesh;
 }
 
-mesh::TetMesh split(const mesh::HexMesh& mesh) {
-  mesh::TetMesh tetrahedra{mesh.points, {}};
+using Hexahedron = std::array<mesh::Index, 8>;
+using Tetrahedra = std::vector<std::array<mesh::Index, 4>>;
+
+void split(const Hexahedron& hexahedron, Tetrahedra& tetrahedra) {
   // Each has the corners of a path from 0 to 7 along three edges, in right-handed order.
   constexpr std::array<std::array<std::size_t, 4>, 6> kPaths{
       {{0, 1, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 3, 2, 7}, {0, 5, 1, 7}, {0, 6, 4, 7}}};
-  for (const auto& hexahedron : mesh.hexahedra)
-    for (const auto& path : kPaths)
-      tetrahedra.tetrahedra.push_back(
-          {hexahedron[path[0]], hexahedron[path[1]], hexahedron[path[2]], hexahedron[path[3]]});
+  for (const auto& path : kPaths)
+    tetrahedra.push_back(
+        {hexahedron[path[0]], hexahedron[path[1]], hexahedron[path[2]], hexahedron[path[3]]});
+}
+
+mesh::TetMesh split(const mesh::HexMesh& mesh) {
+  mesh::TetMesh tetrahedra{mesh.points, {}};
+  for (const auto& hexahedron : mesh.hexahedra) split(hexahedron, tetrahedra.tetrahedra);
   return tetrahedra;
+}
+
+mesh::Point centre_of(const std::vector<mesh::Point>& points, const Hexahedron& hexahedron) {
+  mesh::Point sum;
+  for (const mesh::Index v : hexahedron)
+    sum = {sum.x + points[v].x, sum.y + points[v].y, sum.z + points[v].z};
+  return {sum.x / 8, sum.y / 8, sum.z / 8};
+}
+
+mesh::HybridMesh mix(const mesh::HexMesh& mesh) {
+  mesh::HybridMesh hybrid{mesh.points, {}, {}, {}, {}};
+  for (std::size_t i = 0; i < mesh.hexahedra.size(); ++i) {
+    const Hexahedron& h = mesh.hexahedra[i];
+    if (i % 6 == 1) {
+      hybrid.prisms.push_back({h[0], h[1], h[2], h[4], h[5], h[6]});
+      hybrid.prisms.push_back({h[3], h[2], h[1], h[7], h[6], h[5]});
+    } else if (i % 6 == 3) {
+      const auto centre = static_cast<mesh::Index>(hybrid.points.size());
+      hybrid.points.push_back(centre_of(mesh.points, h));
+      for (const auto& facet : cells::kFacetVertices)  // seen from outside, so from inside reversed
+        hybrid.pyramids.push_back({h[facet[3]], h[facet[2]], h[facet[1]], h[facet[0]], centre});
+    } else if (i % 6 == 5) {
+      split(h, hybrid.tetrahedra);
+    } else {
+      hybrid.hexahedra.push_back(h);
+    }
+  }
+  return hybrid;
 }
 
 mesh::SurfaceMesh boundary_of(const mesh::HexMesh& mesh) {
@@ -78,14 +116,19 @@ const std::map<std::string, io::FileFormat> kFormats{
     {"medit", io::FileFormat::medit}, {"gmsh2", io::FileFormat::gmsh},
     {"gmsh4", io::FileFormat::gmsh},  {"hxtet", io::FileFormat::hxtet}};
 
-template <class Cells>
-void print(const std::vector<mesh::Point>& points, const Cells& cells) {
-  std::printf("%zu %zu\n", points.size(), cells.size());
-  for (const mesh::Point& p : points) std::printf("%.17g %.17g %.17g\n", p.x, p.y, p.z);
+void print_cells(const auto& cells) {
   for (const auto& cell : cells) {
     for (const mesh::Index index : cell) std::printf("%u ", index);
     std::printf("\n");
   }
+}
+
+/// Cells of each number of corners, one list after the other.
+template <class... Cells>
+void print(const std::vector<mesh::Point>& points, const Cells&... cells) {
+  std::printf("%zu %zu\n", points.size(), (cells.size() + ...));
+  for (const mesh::Point& p : points) std::printf("%.17g %.17g %.17g\n", p.x, p.y, p.z);
+  (print_cells(cells), ...);
 }
 
 int run(const std::vector<std::string>& words) {
@@ -104,6 +147,11 @@ int run(const std::vector<std::string>& words) {
     print(mesh.points, mesh.tetrahedra);
     return 0;
   }
+  if (words.size() == 2 && words[0] == "print-hybrid") {
+    const mesh::HybridMesh mesh = io::read_hybrid(words[1]);
+    print(mesh.points, mesh.tetrahedra, mesh.hexahedra, mesh.prisms, mesh.pyramids);
+    return 0;
+  }
   if (words.size() == 2 && words[0] == "print-points") {
     print(io::read_points(words[1]), std::vector<std::array<mesh::Index, 1>>{});
     return 0;
@@ -116,6 +164,8 @@ int run(const std::vector<std::string>& words) {
   const mesh::TetMesh tetrahedra = split(grid);
   if (words[0] == "write-hexahedra")
     io::write_hexahedra(words[2], grid, format, {version, surface.quads});
+  else if (words[0] == "write-hybrid")
+    io::write_hybrid(words[2], mix(grid), format);
   else if (words[0] == "write-tetrahedra")
     io::write_tetrahedra(words[2], {tetrahedra.points, tetrahedra.tetrahedra}, format);
   else

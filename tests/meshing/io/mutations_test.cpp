@@ -5,7 +5,7 @@
 #include <random>
 
 #include "tests/fuzz/round_trip.hpp"
-#include "tests/meshing/io/sample_points.hpp"
+#include "tests/meshing/io/sample_hybrid.hpp"
 
 namespace {
 
@@ -45,8 +45,8 @@ void mutate(std::string& bytes, std::mt19937_64& random) {
 TEST(Mutations, ObeyTheLaw) {
   std::mt19937_64 random(20261122);
   std::size_t with_points = 0, refused = 0;
-  for (const auto& samples :
-       {surface_samples(), hexahedra_samples(), tetrahedra_samples(), points_samples()})
+  for (const auto& samples : {surface_samples(), hexahedra_samples(), tetrahedra_samples(),
+                              hybrid_samples(), points_samples()})
     for (const Sample& sample : samples) {
       SCOPED_TRACE(sample.name);
       for (int i = 0; i < 400; ++i) {

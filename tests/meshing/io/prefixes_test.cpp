@@ -6,7 +6,7 @@
 #include <cctype>
 
 #include "enum/core/errors.hpp"
-#include "tests/meshing/io/sample_points.hpp"
+#include "tests/meshing/io/sample_hybrid.hpp"
 
 namespace {
 
@@ -56,6 +56,7 @@ TEST(Malformed, EveryPrefixIsRefusedOrTheSameMesh) {
   for (const Sample& sample : surface_samples()) expect_prefixes_refused(sample, io::parse_surface);
   for (const Sample& sample : hexahedra_samples())
     expect_prefixes_refused(sample, io::parse_hexahedra);
+  for (const Sample& sample : hybrid_samples()) expect_prefixes_refused(sample, io::parse_hybrid);
   const mesh::HexMesh cube = io::parse_hexahedra(kHexVtk, vtk, "f");
   for (const FileFormat format : {vtk, vtu, medit, gmsh})
     expect_prefixes_refused(Sample{"written", format, io::to_text(cube, format), {}},

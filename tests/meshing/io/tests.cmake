@@ -1,6 +1,6 @@
 # CMAKE_CURRENT_LIST_DIR is this folder wherever the file is included from.
 foreach(name read malformed malformed_vtk malformed_gmsh prefixes round_trip paths replay points ply
-    tetrahedra mutations)
+    tetrahedra hybrid mutations)
   hexatlas_test(meshing_io_${name}_test fast
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/${name}_test.cpp USES meshing_io)
 endforeach()
@@ -13,6 +13,8 @@ hexatlas_script_test(meshing.io.peers long Python3::Interpreter
   ${CMAKE_CURRENT_LIST_DIR}/peers_test.py $<TARGET_FILE:meshing_io_mesh_tool>)
 hexatlas_script_test(meshing.io.tetrahedra_peers long Python3::Interpreter -B
   ${CMAKE_CURRENT_LIST_DIR}/tetrahedra_peers_test.py $<TARGET_FILE:meshing_io_mesh_tool>)
+hexatlas_script_test(meshing.io.hybrid_peers long Python3::Interpreter -B
+  ${CMAKE_CURRENT_LIST_DIR}/hybrid_peers_test.py $<TARGET_FILE:meshing_io_mesh_tool>)
 # The eleven surfaces of the experiment, as they are kept with it.
 hexatlas_script_test(meshing.io.pyramid_peers long Python3::Interpreter -B
   ${CMAKE_CURRENT_LIST_DIR}/pyramid_peers_test.py $<TARGET_FILE:hexatlas>
