@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Edges of cells in double precision, for measures of shape. Private to meshing/quality.
+/// Edges of cells in double precision, for measures of shape and for searches guided by them.
 ///
 /// A direction has relative errors of some 2^-52 in each component of its difference, at any scale
 /// of the coordinates; so a determinant of three directions errs by less than 2^-46, and so does a

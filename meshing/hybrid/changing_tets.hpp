@@ -1,0 +1,65 @@
+#pragma once
+/// \file
+/// Private to meshing/hybrid: tetrahedra of which some belong to cells and some are replaced.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "meshing/hybrid/tet_graph.hpp"
+
+namespace hexatlas::hybrid {
+
+/// The facet of a tetrahedron opposite to its vertex `facet`.
+struct Side {
+  TetIndex tetrahedron = TetGraph::kOutside;
+  unsigned facet = 0;
+};
+
+/// Free tetrahedra around an edge, from one triangle at it to another: vertices[i] and
+/// vertices[i + 1] lie opposite to the edge in tetrahedra[i].
+struct Fan {
+  std::vector<TetIndex> tetrahedra;
+  std::vector<Index> vertices;
+};
+
+class ChangingTets {
+ public:
+  using Owner = std::uint32_t;
+  static constexpr Owner kFree = 0xFFFF'FFFF;     ///< owned by no cell
+  static constexpr Owner kGone = 0xFFFF'FFFE;     ///< replaced
+  static constexpr Owner kPyramid = 0xFFFF'FFFD;  ///< half of an inserted pyramid
+
+  explicit ChangingTets(const TetGraph& graph);
+
+  [[nodiscard]] std::size_t size() const noexcept { return tetrahedra_.size(); }
+  [[nodiscard]] const Tetrahedron& operator[](TetIndex t) const noexcept { return tetrahedra_[t]; }
+  [[nodiscard]] TetIndex across(Side side) const noexcept {
+    return across_[std::size_t{side.tetrahedron} * 4 + side.facet];
+  }
+  [[nodiscard]] Owner owner(TetIndex t) const noexcept { return owner_[t]; }
+  void own(TetIndex t, Owner owner) noexcept { owner_[t] = owner; }
+
+  /// The tetrahedra around the edge p r, from the triangle p r `from` of the tetrahedron `first`
+  /// on, to the triangle p r `to`. If one is not free, the answer is its owner; kGone, which none
+  /// has, stands for the outside.
+  struct FanAnswer {
+    Fan fan;
+    std::optional<Owner> obstacle;
+  };
+  [[nodiscard]] FanAnswer fan(Index p, Index r, Index from, Index to, TetIndex first) const;
+
+  /// Puts tetrahedra in the place of others with the same union, each with its owner.
+  /// Requires that the boundary of both is the same.
+  void replace(std::span<const TetIndex> old, std::span<const Tetrahedron> fresh,
+               std::span<const Owner> owners);
+
+ private:
+  std::vector<Tetrahedron> tetrahedra_;
+  std::vector<TetIndex> across_;
+  std::vector<Owner> owner_;
+};
+
+}  // namespace hexatlas::hybrid

@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// A mesh of chosen cells and tetrahedra in which cells meet in common faces.
+///
+/// Where a quad of a cell meets two triangles of tetrahedra, the tetrahedra around their common
+/// edge, the diagonal, are replaced. If they are two, by the pyramid over the quad that they form.
+/// Otherwise by a pyramid over the quad whose apex is a new point near the middle of the
+/// diagonal, and two tetrahedra for each that was there. If some of them belong to another cell, or
+/// no such point makes all new cells valid, which is decided exactly, one of the cells is given up
+/// and becomes tetrahedra again. What is left is conforming: in the end at least the tetrahedra.
+///
+/// Cost: linear in the mesh for each time that cells are given up.
+/// Not promised: that fewest cells are given up; quality of the new cells.
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "meshing/hybrid/candidates.hpp"
+#include "meshing/hybrid/selection.hpp"
+#include "meshing/hybrid/tet_graph.hpp"
+#include "meshing/mesh/mesh.hpp"
+
+namespace hexatlas::hybrid {
+
+struct Combined {
+  mesh::HybridMesh mesh;                      ///< points: those given, then new ones
+  std::array<std::size_t, kShapes> chosen{};  ///< cells among the candidates, by shape
+  std::size_t given_up = 0;                   ///< cells chosen that are not in the mesh
+  std::size_t inserted_pyramids = 0;          ///< pyramids that are not among the candidates
+  std::size_t new_points = 0;
+  std::size_t quads_on_triangles = 0;  ///< without conforming: quads that meet two triangles
+};
+
+/// Requires: cells as selection() makes them.
+[[nodiscard]] Combined conforming_mesh(const TetGraph& graph, const Candidates& candidates,
+                                       std::span<const Cell> cells);
+
+/// The cells, and the tetrahedra of none of them, as they are.
+[[nodiscard]] Combined plain_mesh(const TetGraph& graph, const Candidates& candidates,
+                                  std::span<const Cell> cells);
+
+}  // namespace hexatlas::hybrid

@@ -1,0 +1,149 @@
+#include "meshing/hybrid/corners.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "meshing/hybrid/blocks.hpp"
+#include "meshing/quality/edge.hpp"
+
+namespace hexatlas::hybrid {
+namespace {
+
+/// The third vertices of the triangles at each edge, ascending.
+class Links {
+ public:
+  Links(const TetGraph& graph, int threads) : graph_(graph), start_(1, 0) {
+    using Rows = std::pair<std::vector<std::uint32_t>, std::vector<Index>>;
+    const auto blocks =
+        in_blocks<Rows>(graph.points().size(), threads, [&](Index first, Index end, Rows& rows) {
+          for (Index v = first; v < end; ++v) add_rows(v, rows);
+        });
+    start_.reserve(graph.directed_edges() + 1);
+    for (const auto& [sizes, vertices] : blocks) {
+      for (const std::uint32_t size : sizes) start_.push_back(start_.back() + size);
+      vertices_.insert(vertices_.end(), vertices.begin(), vertices.end());
+    }
+  }
+
+  [[nodiscard]] std::span<const Index> of(Index v, Index w) const noexcept {
+    const Index low = std::min(v, w);
+    const std::size_t e = graph_.first_edge(low) + graph_.position(low, std::max(v, w));
+    return std::span(vertices_).subspan(start_[e], start_[e + 1] - start_[e]);
+  }
+
+ private:
+  /// A row for each neighbour of v; for lesser neighbours it is empty.
+  void add_rows(Index v, std::pair<std::vector<std::uint32_t>, std::vector<Index>>& rows) const {
+    auto& [sizes, vertices] = rows;
+    std::vector<std::pair<Index, Index>> around;
+    for (const TetIndex t : graph_.star(v))
+      for (const Index w : graph_[t])
+        if (w > v)
+          for (const Index x : graph_[t])
+            if (x != v && x != w) around.emplace_back(w, x);
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    auto next = around.begin();
+    for (const Index w : graph_.neighbours(v)) {
+      const auto first = next;
+      while (next != around.end() && next->first == w) vertices.push_back((next++)->second);
+      sizes.push_back(static_cast<std::uint32_t>(next - first));
+    }
+  }
+
+  const TetGraph& graph_;
+  std::vector<std::size_t> start_;
+  std::vector<Index> vertices_;
+};
+
+double squared_sine(const Direction& a, const Direction& b) {
+  const double x = a.y * b.z - a.z * b.y;
+  const double y = a.z * b.x - a.x * b.z;
+  const double z = a.x * b.y - a.y * b.x;
+  return x * x + y * y + z * z;
+}
+
+/// The corners at one vertex after another.
+class Gatherer {
+ public:
+  Gatherer(const TetGraph& graph, const Links& links, const std::vector<Direction>& directions,
+           double least_sine)
+      : graph_(graph),
+        links_(links),
+        directions_(directions),
+        least_squared_sine_(least_sine * least_sine) {}
+
+  void add(Index v, std::vector<std::uint32_t>& sizes, std::vector<Corner>& corners) const {
+    const std::size_t before = corners.size();
+    const auto neighbours = graph_.neighbours(v);
+    std::vector<std::uint32_t> at;
+    for (const Index z : neighbours) {
+      const auto link = links_.of(v, z);
+      at.clear();
+      for (const Index x : link) at.push_back(graph_.position(v, x));
+      for (std::size_t i = 0; i < at.size(); ++i)
+        for (std::size_t j = i + 1; j < at.size(); ++j) add_if_wide(v, at[i], at[j], z, corners);
+    }
+    for (std::uint32_t x = 0; x < neighbours.size(); ++x)
+      for (const Index w : links_.of(v, neighbours[x]))
+        if (w > neighbours[x])
+          for (const Index z : links_.of(neighbours[x], w))
+            if (z != v) add_if_wide(v, x, graph_.position(v, w), z, corners);
+    const auto first = corners.begin() + static_cast<std::ptrdiff_t>(before);
+    std::sort(first, corners.end());
+    corners.erase(std::unique(first, corners.end()), corners.end());
+    const std::size_t row = sizes.size();
+    sizes.resize(row + neighbours.size());
+    for (std::size_t i = before; i < corners.size(); ++i) ++sizes[row + corners[i].x];
+  }
+
+ private:
+  void add_if_wide(Index v, std::uint32_t x, std::uint32_t y, Index z,
+                   std::vector<Corner>& corners) const {
+    const Direction* direction = &directions_[graph_.first_edge(v)];
+    if (squared_sine(direction[x], direction[y]) >= least_squared_sine_)
+      corners.push_back({x, y, z});
+  }
+
+  const TetGraph& graph_;
+  const Links& links_;
+  const std::vector<Direction>& directions_;
+  double least_squared_sine_;
+};
+
+}  // namespace
+
+Corners::Corners(const TetGraph& graph, double least_sine, int threads)
+    : graph_(&graph), start_(1, 0) {
+  directions_.reserve(graph.directed_edges());
+  for (Index v = 0; v < graph.points().size(); ++v)
+    for (const Index w : graph.neighbours(v))
+      directions_.push_back(quality::direction(graph.points()[v], graph.points()[w]));
+  const Links links(graph, threads);
+  const Gatherer gatherer(graph, links, directions_, least_sine);
+  using Rows = std::pair<std::vector<std::uint32_t>, std::vector<Corner>>;
+  auto blocks =
+      in_blocks<Rows>(graph.points().size(), threads, [&](Index first, Index end, Rows& rows) {
+        for (Index v = first; v < end; ++v) gatherer.add(v, rows.first, rows.second);
+      });
+  start_.reserve(graph.directed_edges() + 1);
+  for (auto& [sizes, corners] : blocks) {
+    for (const std::uint32_t size : sizes) start_.push_back(start_.back() + size);
+    corners_.insert(corners_.end(), corners.begin(), corners.end());
+    std::vector<Corner>().swap(corners);
+  }
+}
+
+std::span<const Corner> Corners::between(Index v, std::uint32_t x, std::uint32_t y) const noexcept {
+  if (x > y) std::swap(x, y);
+  const auto row = at(v, x);
+  const auto first = std::lower_bound(row.begin(), row.end(), y,
+                                      [](const Corner& c, std::uint32_t key) { return c.y < key; });
+  auto last = first;
+  while (last != row.end() && last->y == y) ++last;
+  return {first, last};
+}
+
+}  // namespace hexatlas::hybrid

@@ -1,0 +1,7 @@
+hexatlas_layer(meshing/hybrid
+  HEADERS candidates.hpp classes.hpp conforming.hpp filling.hpp selection.hpp tet_graph.hpp
+  SOURCES around.cpp around.hpp blocks.hpp candidates.cpp changing_tets.cpp changing_tets.hpp
+    classes.cpp conforming.cpp corners.cpp corners.hpp filling.cpp hexahedron_search.cpp
+    hexahedron_search.hpp occupancy.cpp occupancy.hpp prism_search.cpp prism_search.hpp
+    selection.cpp tet_graph.cpp
+  USES enum/core enum/parallel enum/cells enum/complex realize/exact meshing/mesh meshing/quality)

@@ -1,0 +1,146 @@
+#include "meshing/hybrid/occupancy.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "enum/cells/cube.hpp"
+#include "enum/core/checks.hpp"
+
+namespace hexatlas::hybrid {
+namespace {
+
+constexpr std::array<LocalEdge, 12> kHexahedronEdges{{{0, 1},
+                                                      {2, 3},
+                                                      {4, 5},
+                                                      {6, 7},
+                                                      {0, 2},
+                                                      {1, 3},
+                                                      {4, 6},
+                                                      {5, 7},
+                                                      {0, 4},
+                                                      {1, 5},
+                                                      {2, 6},
+                                                      {3, 7}}};
+constexpr std::array<LocalEdge, 9> kPrismEdges{
+    {{0, 1}, {1, 2}, {0, 2}, {3, 4}, {4, 5}, {3, 5}, {0, 3}, {1, 4}, {2, 5}}};
+constexpr std::array<LocalEdge, 8> kPyramidEdges{
+    {{0, 1}, {1, 2}, {2, 3}, {0, 3}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
+constexpr std::array<LocalQuad, 3> kPrismQuads{{{0, 1, 4, 3}, {1, 2, 5, 4}, {0, 3, 5, 2}}};
+constexpr std::array<LocalQuad, 1> kPyramidQuads{{{0, 3, 2, 1}}};
+
+std::uint64_t key(Index v, Index w) {
+  return std::uint64_t{std::min(v, w)} << 32U | std::max(v, w);
+}
+
+template <std::size_t N>
+CellView view(const CandidateList<N>& list, Shape shape, std::size_t i) {
+  const Candidate<N>& cell = list.cells[i];
+  const auto all = list.all(i);
+  return {shape, cell.vertices, all.first(cell.inner), all.subspan(cell.inner), cell.quality};
+}
+
+/// visit(one diagonal, the other) twice for each quad.
+template <class Visit>
+void for_each_diagonal(const CellView& cell, const Visit& visit) {
+  for (const LocalQuad& quad : quads_of(cell.shape)) {
+    const std::uint64_t one = key(cell.vertices[quad[0]], cell.vertices[quad[2]]);
+    const std::uint64_t other = key(cell.vertices[quad[1]], cell.vertices[quad[3]]);
+    visit(one, other);
+    visit(other, one);
+  }
+}
+
+template <class Visit>
+void for_each_edge(const CellView& cell, const Visit& visit) {
+  for (const LocalEdge& edge : edges_of(cell.shape))
+    visit(key(cell.vertices[edge[0]], cell.vertices[edge[1]]));
+}
+
+}  // namespace
+
+std::span<const LocalEdge> edges_of(Shape shape) {
+  switch (shape) {
+    case Shape::hexahedron:
+      return kHexahedronEdges;
+    case Shape::prism:
+      return kPrismEdges;
+    case Shape::pyramid:
+      return kPyramidEdges;
+  }
+  throw core::InternalError("hybrid: unknown shape");
+}
+
+std::span<const LocalQuad> quads_of(Shape shape) {
+  switch (shape) {
+    case Shape::hexahedron:
+      return cells::kFacetVertices;
+    case Shape::prism:
+      return kPrismQuads;
+    case Shape::pyramid:
+      return kPyramidQuads;
+  }
+  throw core::InternalError("hybrid: unknown shape");
+}
+
+CellView view_of(const Candidates& candidates, Cell cell) {
+  switch (cell.shape) {
+    case Shape::hexahedron:
+      return view(candidates.hexahedra, cell.shape, cell.index);
+    case Shape::prism:
+      return view(candidates.prisms, cell.shape, cell.index);
+    case Shape::pyramid:
+      return view(candidates.pyramids, cell.shape, cell.index);
+  }
+  throw core::InternalError("hybrid: unknown shape");
+}
+
+bool Occupancy::fits(const CellView& cell) const {
+  for (const TetIndex t : cell.inner)
+    if (owner_[t] != kFree || flats_[t] != 0) return false;
+  for (const TetIndex t : cell.flat)
+    if (owner_[t] != kFree) return false;
+  return fits_pairs(cell);
+}
+
+bool Occupancy::fits_pairs(const CellView& cell) const {
+  bool fits = true;
+  for_each_edge(cell, [&](std::uint64_t edge) {
+    if (!fits) return;
+    const auto it = pairs_.find(edge);
+    fits = it == pairs_.end() || it->second.diagonals == 0;
+  });
+  for_each_diagonal(cell, [&](std::uint64_t one, std::uint64_t other) {
+    if (!fits) return;
+    const auto it = pairs_.find(one);
+    if (it == pairs_.end()) return;
+    const Pair& pair = it->second;
+    fits = pair.edges == 0 && (pair.diagonals == 0 || pair.other == other);
+  });
+  return fits;
+}
+
+void Occupancy::put(const CellView& cell, std::uint32_t name) {
+  for (const TetIndex t : cell.inner) owner_[t] = name;
+  for (const TetIndex t : cell.flat) ++flats_[t];
+  for_each_edge(cell, [&](std::uint64_t edge) { ++pairs_[edge].edges; });
+  for_each_diagonal(cell, [&](std::uint64_t one, std::uint64_t other) {
+    Pair& pair = pairs_[one];
+    ++pair.diagonals;
+    pair.other = other;
+  });
+}
+
+void Occupancy::take(const CellView& cell) {
+  const auto drop = [&](std::uint64_t which, std::uint32_t Pair::*count) {
+    const auto it = pairs_.find(which);
+    core::ensures(it != pairs_.end() && it->second.*count > 0, "a cell that is in has its pairs");
+    --(it->second.*count);
+    if (it->second.edges == 0 && it->second.diagonals == 0) pairs_.erase(it);
+  };
+  for (const TetIndex t : cell.inner) owner_[t] = kFree;
+  for (const TetIndex t : cell.flat) --flats_[t];
+  for_each_edge(cell, [&](std::uint64_t edge) { drop(edge, &Pair::edges); });
+  for_each_diagonal(cell, [&](std::uint64_t one, std::uint64_t) { drop(one, &Pair::diagonals); });
+}
+
+}  // namespace hexatlas::hybrid
