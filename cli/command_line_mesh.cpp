@@ -96,6 +96,37 @@ void add_mesh_delaunay(CLI::App& mesh, Action& action) {
   command->callback([options, &action] { action = [options] { return mesh_delaunay(*options); }; });
 }
 
+void add_mesh_hybrid(CLI::App& mesh, Action& action) {
+  auto* command = mesh.add_subcommand(
+      "hybrid", "Tetrahedra combined into hexahedra, prisms and pyramids: a hex-dominant mesh");
+  auto options = std::make_shared<MeshHybridOptions>();
+  command
+      ->add_option("TETMESH", options->input,
+                   "Tetrahedral mesh: .vtu .vtk .mesh .msh .hxtet, or - for standard input")
+      ->required();
+  auto* output =
+      command->add_option("-o,--output", options->output,
+                          "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)");
+  command->add_flag("--count", "Find and count the candidates only")->excludes(output);
+  command->add_option("--candidates", options->candidates,
+                      "File for the list of all candidates; - for standard output");
+  command->add_option("--quality", options->quality, "Least scaled Jacobian of a cell, exclusive")
+      ->check(CLI::Range(0.0, 0.999))
+      ->capture_default_str();
+  command->add_flag("--conforming,!--no-conforming", options->conforming,
+                    "Put pyramids where a quad meets two triangles, or give up the cell [yes]");
+  command->add_option("--rounds", options->rounds, "Rounds of exchange after the greedy choice")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print one JSON object");
+  add_threads(*command, options->threads);
+  command->footer(
+      "Without --output the candidates are counted. Regions and coloured triangles of .mesh and\n"
+      ".msh are respected. `hexatlas check --hybrid` judges the mesh.\n" +
+      example("hexatlas mesh hybrid tetrahedra.msh -o hybrid.vtu"));
+  command->callback([options, &action] { action = [options] { return mesh_hybrid(*options); }; });
+}
+
 }  // namespace
 
 void add_mesh(CLI::App& app, Action& action) {
@@ -138,6 +169,7 @@ void add_mesh(CLI::App& app, Action& action) {
   add_mesh_boundary(*mesh, action);
   add_mesh_untangle(*mesh, action);
   add_mesh_delaunay(*mesh, action);
+  add_mesh_hybrid(*mesh, action);
 }
 
 void add_simplify(CLI::App& app, Action& action) {

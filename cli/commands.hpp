@@ -60,6 +60,18 @@ struct MeshDelaunayOptions {
 };
 [[nodiscard]] ExitCode mesh_delaunay(const MeshDelaunayOptions& options);
 
+struct MeshHybridOptions {
+  std::string input;
+  std::string output;      ///< empty: candidates are counted only
+  std::string candidates;  ///< file for their list; empty: none
+  double quality = 0.1;    ///< the least, exclusive
+  bool conforming = true;
+  int rounds = 2;  ///< of exchange
+  bool json = false;
+  int threads = 0;  ///< 0: all processors
+};
+[[nodiscard]] ExitCode mesh_hybrid(const MeshHybridOptions& options);
+
 struct MeshUntangleOptions {
   std::string input, output;
   std::string report;  ///< file for a page; empty: none

@@ -95,6 +95,14 @@ void write_tetrahedra(const std::string& output, const mesh::TetView& mesh) {
   io::write_tetrahedra(output, mesh, format_on(output));
 }
 
+void expect_hybrid_writable(const std::string& output) {
+  io::expect_hybrid_writable(output, format_on(output));
+}
+
+void write_hybrid(const std::string& output, const mesh::HybridMesh& mesh) {
+  io::write_hybrid(output, mesh, format_on(output));
+}
+
 std::string quality_text(const quality::Report& report) {
   std::string bins;
   for (const std::size_t count : report.histogram) bins += fmt::format(" {}", count);

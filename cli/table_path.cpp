@@ -40,6 +40,10 @@ std::string sectors_path(const std::string& asked_for) {
                  "--sectors, or use --method table");
 }
 
+std::string catalogue_path(const std::string& name) {
+  return shipped(name, "the catalogue that comes with the program is not there; install it again");
+}
+
 std::optional<build::Census> census_beside(const format::Table& table) {
   const std::string path = build::census_path(table.path());
   if (!is_there(path)) return std::nullopt;

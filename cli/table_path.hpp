@@ -22,6 +22,9 @@ namespace hexatlas::cli {
 /// The same for the sectors of the linear construction.
 [[nodiscard]] std::string sectors_path(const std::string& asked_for);
 
+/// The catalogue of this name that comes with the program.
+[[nodiscard]] std::string catalogue_path(const std::string& name);
+
 /// The census beside the file of a table, if there is one. Throws InvalidInput if it is damaged or
 /// the census of another table.
 [[nodiscard]] std::optional<build::Census> census_beside(const format::Table& table);

@@ -134,10 +134,33 @@ Corners::Corners(const TetGraph& graph, double least_sine, int threads)
     corners_.insert(corners_.end(), corners.begin(), corners.end());
     std::vector<Corner>().swap(corners);
   }
+  make_tables();
 }
 
-std::span<const Corner> Corners::between(Index v, std::uint32_t x, std::uint32_t y) const noexcept {
-  if (x > y) std::swap(x, y);
+void Corners::make_tables() {
+  constexpr std::size_t kMostNeighbours = 64;
+  const std::size_t vertices = graph_->points().size();
+  table_start_.assign(vertices, kNoTable);
+  for (Index v = 0; v < vertices; ++v) {
+    const std::size_t degree = graph_->neighbours(v).size();
+    const std::size_t row = graph_->first_edge(v);
+    const std::size_t count = start_[row + degree] - start_[row];
+    if (degree > kMostNeighbours || count > 0xFFFF) continue;
+    table_start_[v] = table_.size();
+    std::uint16_t next = 0;
+    for (std::uint32_t x = 0; x < degree; ++x) {
+      const auto corners = at(v, x);
+      std::size_t i = 0;
+      for (std::uint32_t y = 0; y < degree; ++y) {
+        table_.push_back(next);
+        for (; i < corners.size() && corners[i].y == y; ++i) ++next;
+      }
+    }
+    table_.push_back(next);
+  }
+}
+
+std::span<const Corner> Corners::search(Index v, std::uint32_t x, std::uint32_t y) const noexcept {
   const auto row = at(v, x);
   const auto first = std::lower_bound(row.begin(), row.end(), y,
                                       [](const Corner& c, std::uint32_t key) { return c.y < key; });

@@ -7,11 +7,13 @@
 /// triangles may be the facets of one tetrahedron, which is then flat as seen by a cell with this
 /// quad.
 ///
-/// Cost: for each edge in k triangles some k^2 quads; twelve bytes for each corner.
+/// Cost: for each edge in k triangles some k^2 quads; twelve bytes for each corner, and two for
+/// each pair of neighbours of a vertex with few.
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "meshing/hybrid/tet_graph.hpp"
@@ -44,7 +46,15 @@ class Corners {
   }
   /// Those between the neighbours of v at positions x and y, in any order.
   [[nodiscard]] std::span<const Corner> between(Index v, std::uint32_t x,
-                                                std::uint32_t y) const noexcept;
+                                                std::uint32_t y) const noexcept {
+    if (x > y) std::swap(x, y);
+    const std::size_t table = table_start_[v];
+    if (table == kNoTable) return search(v, x, y);
+    const std::size_t degree = graph_->neighbours(v).size();
+    const std::uint16_t* pair = table_.data() + table + x * degree + y;
+    return {corners_.data() + start_[graph_->first_edge(v)] + pair[0],
+            static_cast<std::size_t>(pair[1] - pair[0])};
+  }
 
   /// From v to its neighbour at a position.
   [[nodiscard]] const Direction& direction(Index v, std::uint32_t position) const noexcept {
@@ -52,10 +62,20 @@ class Corners {
   }
 
  private:
+  static constexpr std::size_t kNoTable = static_cast<std::size_t>(-1);
+
+  void make_tables();
+  [[nodiscard]] std::span<const Corner> search(Index v, std::uint32_t x,
+                                               std::uint32_t y) const noexcept;
+
   const TetGraph* graph_;
   std::vector<Direction> directions_;
   std::vector<std::size_t> start_;  ///< of a row for each directed edge
   std::vector<Corner> corners_;
+  /// For vertices of small degree n: at x n + y where, among the corners at v, those between x and
+  /// y begin; one more at the end.
+  std::vector<std::uint16_t> table_;
+  std::vector<std::size_t> table_start_;
 };
 
 }  // namespace hexatlas::hybrid

@@ -189,7 +189,7 @@ std::size_t HexahedronSearch::offer(const Around& around, CandidateList<8>& foun
     std::transform(cell.begin(), cell.end(), corners.begin(),
                    [this](Index v) { return graph_.points()[v]; });
     const double quality = quality::scaled_jacobian(corners);
-    if (!(quality > quality_)) continue;
+    if (!quality::exceeds(corners, quality, quality_)) continue;
     const auto validity = quality::validity_of_hexahedron(corners);
     if (validity == quality::Validity::undecided) ++undecided;
     if (validity != quality::Validity::valid) continue;

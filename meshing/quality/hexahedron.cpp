@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -12,8 +13,8 @@ namespace hexatlas::quality {
 
 Verdict verdict_of_hexahedron(const Corners& corners) {
   const exact::Hexahedron hexahedron = exact_points(corners);
-  const std::optional<exact::JacobianVerdict> filtered =
-      exact::filtered_jacobian_verdict(hexahedron);
+  std::optional<exact::JacobianVerdict> filtered = exact::filtered_jacobian_verdict(hexahedron);
+  if (!filtered) filtered = exact::subdivided_jacobian_verdict(hexahedron, kSubdivisionDepth);
   return verdict_from(
       filtered ? *filtered : exact::exact_jacobian_verdict(hexahedron, kSubdivisionDepth),
       !filtered.has_value());
@@ -37,6 +38,12 @@ double scaled_jacobian(const Corners& corners) {
                                            corners[v ^ (2 - turn)], corners[v ^ 4U]));
   }
   return least;
+}
+
+bool exceeds(const Corners& corners, double scaled_jacobian, double threshold) {
+  constexpr double kError = 0x1p-44;  // four times that of a determinant of directions
+  if (std::abs(scaled_jacobian - threshold) > kError) return scaled_jacobian > threshold;
+  return exact::corners_exceed(exact_points(corners), threshold);
 }
 
 }  // namespace hexatlas::quality

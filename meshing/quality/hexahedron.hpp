@@ -44,4 +44,9 @@ struct Verdict {
 /// proves nothing of the inside. No scale of the coordinates makes it overflow.
 [[nodiscard]] double scaled_jacobian(const Corners& corners);
 
+/// Whether the scaled Jacobian, computed as above, is in truth greater than the threshold: decided
+/// exactly, so that no rounding, and no numbering of the corners, has a say.
+/// Requires 0 <= threshold < 1.
+[[nodiscard]] bool exceeds(const Corners& corners, double scaled_jacobian, double threshold);
+
 }  // namespace hexatlas::quality

@@ -5,55 +5,14 @@
 #include <vector>
 
 #include "enum/core/checks.hpp"
-#include "realize/exact/determinant.hpp"
 #include "realize/exact/integers.hpp"
+#include "realize/exact/jacobian_coefficients.hpp"
 #include "realize/exact/jacobian_lanes.hpp"
 
 namespace hexatlas::exact {
 namespace {
 
-using Coefficients = std::array<Integer, kJacobianCoefficients>;
-
-constexpr std::array<std::size_t, 8> kCornerCoefficients{0, 2, 6, 8, 18, 20, 24, 26};
-constexpr std::array<std::size_t, 3> kStride{1, 3, 9};
-
-/// How many determinants the coefficient is the mean of: 2 for each middle index.
-constexpr int determinants_in(std::size_t coefficient) {
-  int count = 1;
-  for (const std::size_t stride : kStride)
-    if (coefficient / stride % 3 == 1) count *= 2;
-  return count;
-}
-
-/// edges[k][o] is the edge vector in direction k whose start has, in the two other directions
-/// in ascending order, the coordinates that are the low and the high bit of o.
-using EdgeVectors = std::array<std::array<Vector3<Integer>, 4>, 3>;
-
-EdgeVectors edge_vectors(const std::array<Vector3<Integer>, 8>& p) {
-  constexpr std::array<std::array<std::size_t, 2>, 3> kOthers{{{2, 4}, {1, 4}, {1, 2}}};
-  EdgeVectors edges;
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t o = 0; o < 4; ++o) {
-      const std::size_t start = (o & 1U) * kOthers[k][0] + (o >> 1U) * kOthers[k][1];
-      edges[k][o] = difference(p[start + (std::size_t{1} << k)], p[start]);
-    }
-  return edges;
-}
-
-/// For each coefficient the sum, not the mean, of its determinants. The six bits of `choice` are
-/// j, k, i, k', i', j' of the derivation.
-Coefficients determinant_sums(const EdgeVectors& edges) {
-  Coefficients sums{};
-  for (std::size_t choice = 0; choice < 64; ++choice) {
-    const auto bit = [choice](unsigned place) { return choice >> place & 1U; };
-    const std::size_t l = bit(2) + bit(4);
-    const std::size_t m = bit(0) + bit(5);
-    const std::size_t n = bit(1) + bit(3);
-    sums[l + 3 * m + 9 * n] +=
-        determinant(edges[0][choice & 3U], edges[1][choice >> 2U & 3U], edges[2][choice >> 4U]);
-  }
-  return sums;
-}
+using Coefficients = JacobianNumbers<Integer>;
 
 /// The coefficients of J times a positive number.
 Coefficients integer_coefficients(const Hexahedron& corners) {
@@ -134,6 +93,28 @@ JacobianVerdict exact_jacobian_verdict(const Hexahedron& corners, int depth) {
   const Coefficients coefficients = integer_coefficients(corners);
   if (some_corner_not_positive(coefficients)) return {Positivity::not_positive, true};
   return {positivity(coefficients, depth), false};
+}
+
+bool corners_exceed(const Hexahedron& corners, double threshold) {
+  expect_finite(corners);
+  core::expects(threshold >= 0 && threshold < 1, "exact: a threshold in [0, 1)");
+  const EdgeVectors<Integer> edges = edge_vectors(scaled_integers(corners));
+  const BinaryParts parts = binary_parts(threshold);  // threshold = mantissa 2^exponent
+  const Integer mantissa(static_cast<long>(parts.mantissa));
+  const auto shift = threshold == 0 ? 0UL : 2 * static_cast<unsigned long>(-parts.exponent);
+  for (unsigned v = 0; v < 8; ++v) {
+    const unsigned i = v & 1U;
+    const unsigned j = v >> 1U & 1U;
+    const unsigned k = v >> 2U;
+    const Vector3<Integer>& a = edges[0][j + 2 * k];
+    const Vector3<Integer>& b = edges[1][i + 2 * k];
+    const Vector3<Integer>& c = edges[2][i + 2 * j];
+    const Integer jacobian = determinant(a, b, c);
+    if (jacobian <= 0) return false;
+    const Integer bound = mantissa * mantissa * dot(a, a) * dot(b, b) * dot(c, c);
+    if (Integer(jacobian * jacobian << shift) <= bound) return false;
+  }
+  return true;
 }
 
 std::optional<JacobianVerdict> filtered_jacobian_verdict(const Hexahedron& corners) {

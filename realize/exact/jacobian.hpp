@@ -64,4 +64,16 @@ struct JacobianVerdict {
 void filtered_jacobian_verdicts(std::span<const Hexahedron> hexahedra,
                                 std::span<std::optional<JacobianVerdict>> verdicts);
 
+/// The verdict by double precision with a proven error bound after at most `depth` subdivisions;
+/// nullopt where this does not suffice. Agrees with exact_jacobian_verdict, `undecided` included.
+/// Requires finite coordinates and 0 <= depth <= kMaxSubdivisionDepth. Cost: a microsecond, and
+/// a quarter of one for each part.
+[[nodiscard]] std::optional<JacobianVerdict> subdivided_jacobian_verdict(const Hexahedron& corners,
+                                                                         int depth);
+
+/// Whether at each corner det / (|u| |v| |w|) > threshold, u, v, w being its edges and det their
+/// determinant, the value of J there; by integers, since a product of lengths is the root of one.
+/// Requires finite coordinates and 0 <= threshold < 1. Cost: tens of microseconds.
+[[nodiscard]] bool corners_exceed(const Hexahedron& corners, double threshold);
+
 }  // namespace hexatlas::exact

@@ -3,6 +3,7 @@ hexatlas_layer(realize/exact
     patch.hpp patch_separation.hpp memory.hpp
   SOURCES orientation.cpp in_sphere.cpp integer_orientation.cpp jacobian.cpp prism.cpp
     volume.cpp patch.cpp patch_separation.cpp memory.cpp
+    jacobian_coefficients.hpp jacobian_subdivision.cpp
     jacobian_lanes.hpp jacobian_lanes_avx2.cpp jacobian_lanes_body.hpp jacobian_lanes_plain.cpp
     determinant.hpp binary.hpp limbs.hpp limb_points.hpp integers.hpp
   USES enum/core

@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "cli/commands.hpp"
+#include "cli/hybrid_text.hpp"
+#include "cli/mesh_output.hpp"
+#include "cli/output.hpp"
+#include "cli/table_path.hpp"
+#include "enum/core/errors.hpp"
+#include "enum/core/files.hpp"
+#include "enum/parallel/parallel_for.hpp"
+#include "meshing/hybrid/candidates.hpp"
+#include "meshing/hybrid/classes.hpp"
+#include "meshing/hybrid/conforming.hpp"
+#include "meshing/hybrid/selection.hpp"
+#include "meshing/hybrid/tet_graph.hpp"
+#include "meshing/io/mesh_files.hpp"
+#include "tables/format/catalogue.hpp"
+
+namespace hexatlas::cli {
+namespace {
+
+hybrid::TetGraph graph_of(const mesh::TetModel& model, const std::string& name) {
+  auto graph = hybrid::TetGraph::of({model.mesh.points, model.mesh.tetrahedra},
+                                    {model.regions, model.triangles, model.colours});
+  if (const auto* fault = std::get_if<complex::BrokenLaw>(&graph))
+    throw core::InvalidInput(name, fault->reason);
+  return std::move(std::get<hybrid::TetGraph>(graph));
+}
+
+/// How many candidates there are of each class of subdivisions, from 1 on as listed by
+/// `hexatlas enum triangulations hexahedron`.
+std::vector<std::size_t> class_counts(const hybrid::TetGraph& graph,
+                                      const hybrid::Candidates& candidates) {
+  const std::string path = catalogue_path("hexahedron.hxc");
+  const format::Catalogue catalogue = format::catalogue_from(core::read_file(path), path);
+  std::vector<complex::Triangulation> classes;
+  for (const format::CatalogueClass& c : catalogue.classes) classes.push_back(c.triangulation);
+  return hybrid::HexahedronClasses(classes).counts(graph, candidates.hexahedra);
+}
+
+void make_mesh(const MeshHybridOptions& options, const hybrid::TetGraph& graph,
+               const hybrid::Candidates& candidates, HybridAccount& account) {
+  hybrid::SelectionOptions selection;
+  selection.rounds = options.rounds;
+  const std::vector<hybrid::Cell> cells = hybrid::selection(graph, candidates, selection);
+  account.combined = options.conforming ? hybrid::conforming_mesh(graph, candidates, cells)
+                                        : hybrid::plain_mesh(graph, candidates, cells);
+  account.report = quality::report(account.combined->mesh);
+}
+
+}  // namespace
+
+ExitCode mesh_hybrid(const MeshHybridOptions& options) {
+  const bool is_counted = options.output.empty();
+  if (!are_distinct({options.input, options.output, options.candidates}, "TETMESH", "mesh hybrid"))
+    return ExitCode::usage;
+  if (!is_counted) expect_hybrid_writable(options.output);
+  if (!options.candidates.empty()) core::expect_writable(options.candidates);
+  const mesh::TetModel model = io::read_tet_model(options.input);
+  const hybrid::TetGraph graph = graph_of(model, input_name(options.input));
+  HybridAccount account;
+  account.tetrahedra = graph.size();
+  account.quality = options.quality;
+  account.threads = parallel::threads_or_all(options.threads);
+  const double start = seconds();
+  const hybrid::Candidates candidates = hybrid::candidates(graph, options.quality, account.threads);
+  account.search_seconds = seconds() - start;
+  account.candidates = {candidates.hexahedra.cells.size(), candidates.prisms.cells.size(),
+                        candidates.pyramids.cells.size()};
+  account.undecided = candidates.undecided;
+  account.classes = class_counts(graph, candidates);
+  if (!options.candidates.empty())
+    core::write_file(options.candidates, candidates_text(candidates, options.quality));
+  if (!is_counted) make_mesh(options, graph, candidates, account);
+  account.seconds = seconds() - start;
+  if (!is_counted) write_hybrid(options.output, account.combined->mesh);
+  const std::string& stream = options.candidates == "-" ? options.candidates : options.output;
+  tell(stream, options.json ? json_line(account) : summary(account, options.output));
+  return ExitCode::yes;
+}
+
+}  // namespace hexatlas::cli
