@@ -1,5 +1,5 @@
 hexatlas_layer(meshing/quality
-  HEADERS hexahedron.hpp cells.hpp least_shape.hpp report.hpp box_tree.hpp self_meeting.hpp
-  SOURCES hexahedron.cpp cells.cpp least_shape.cpp report.cpp edge.hpp vector.hpp verdict.hpp
+  HEADERS hexahedron.hpp cells.hpp least_shape.hpp volume.hpp report.hpp box_tree.hpp self_meeting.hpp
+  SOURCES hexahedron.cpp cells.cpp least_shape.cpp volume.cpp report.cpp edge.hpp vector.hpp verdict.hpp
     box_tree.cpp self_meeting.cpp
-  USES enum/core realize/exact meshing/mesh)
+  USES enum/core enum/cells realize/exact meshing/mesh)

@@ -213,6 +213,11 @@ TEST(LeastShape, KnownCells) {
   const PrismCorners half_cube{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 7}, {1, 0, 7}, {0, 1, 7}}};
   const double sines = (1 + std::sqrt(2.0)) * 2 / (3 * std::sqrt(3.0));
   expect_bounds(quality::least_scaled_jacobian(half_cube), sines, 1e-12);
+  // Turned by half a turn: the Jacobian is (1 - 2t)^2.
+  const ShapeBounds touching = quality::least_scaled_jacobian(
+      PrismCorners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 1}, {0, -1, 1}}});
+  EXPECT_EQ(touching.low, -1);
+  EXPECT_EQ(touching.high, 0);
 }
 
 TEST(LeastShape, SameAtEveryScale) {
