@@ -25,7 +25,7 @@ std::string json_line(const NamedBoundary& boundary, const mesh::HexMesh& mesh, 
   nlohmann::ordered_json json;
   json["code"] = boundary.code;
   json["quads"] = boundary.boundary.quads();
-  json["hexahedra"] = report.hexahedra;
+  json["hexahedra"] = report.cells;
   json["interior_vertices"] =
       mesh.points.size() - static_cast<std::size_t>(boundary.boundary.vertices());
   json["free_boundary"] = free_boundary;
@@ -39,7 +39,7 @@ std::string summary(const NamedBoundary& boundary, const mesh::HexMesh& mesh,
   const auto on_boundary = static_cast<std::size_t>(boundary.boundary.vertices());
   return fmt::format(
       "{}: {}, {}, boundary of {} quads\ntable entry {}\n{}", output,
-      counted(report.hexahedra, "hexahedron", "hexahedra"),
+      counted(report.cells, "hexahedron", "hexahedra"),
       counted(mesh.points.size() - on_boundary, "interior vertex", "interior vertices"),
       boundary.boundary.quads(), boundary.code, quality_text(report));
 }
@@ -55,7 +55,7 @@ MeshReport report_of(const MeshBoundaryOptions& options, const NamedBoundary& bo
   done.add("table entry", boundary.code);
   done.add("boundary", options.free_boundary ? "moved as the interior is"
                                              : "a convex polyhedron whose edges touch a sphere");
-  done.add("hexahedra", report.hexahedra);
+  done.add("hexahedra", report.cells);
   done.add("interior vertices", verdict.interior_vertices);
   done.add("mesh written", shown_name(options.output, "standard output"));
   done.add_seconds(elapsed);

@@ -78,11 +78,11 @@ std::string json_line(const MeshHexAccount& account, const quality::Report& repo
   nlohmann::ordered_json json;
   json["outcome"] = "meshed";
   json["quads"] = quads;
-  json["hexahedra"] = report.hexahedra;
+  json["hexahedra"] = report.cells;
   json["interior_vertices"] = made.interior_vertices;
   add_quality(json, report);
   json["method"] = name_of(made.method);
-  json["hexahedra_per_quad"] = per_quad(report.hexahedra, quads);
+  json["hexahedra_per_quad"] = per_quad(report.cells, quads);
   for (const char* key : {"peeled", "layers", "cavity_quads", "cavity_filled_by"})
     json[key] = nullptr;
   if (made.peeling) {
@@ -106,9 +106,9 @@ std::string summary(const MeshHexAccount& account, const quality::Report& report
       "{}: {}, {}, boundary of {} quads\n"
       "{}; {:.2f} hexahedra per quad\n"
       "{}",
-      output, counted(report.hexahedra, "hexahedron", "hexahedra"),
+      output, counted(report.cells, "hexahedron", "hexahedra"),
       counted(made.interior_vertices, "interior vertex", "interior vertices"), quads,
-      account_of(made), per_quad(report.hexahedra, quads), quality_text(report));
+      account_of(made), per_quad(report.cells, quads), quality_text(report));
 }
 
 /// Whatever the table or a theorem says, a mesh is written only if the judge accepts it. That it is

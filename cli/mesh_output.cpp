@@ -110,7 +110,7 @@ std::string quality_text(const quality::Report& report) {
       "scaled Jacobian: minimum {:.4f}, mean {:.4f}; {} of {} proven valid, {} inverted\n"
       "hexahedra by tenths of it, from below 0.1 to 1:{}\n",
       report.min_scaled_jacobian, report.mean_scaled_jacobian, report.valid,
-      counted(report.hexahedra, "hexahedron", "hexahedra"), report.inverted, bins);
+      counted(report.cells, "hexahedron", "hexahedra"), report.inverted, bins);
 }
 
 void add_quality(nlohmann::ordered_json& json, const quality::Report& report) {
@@ -144,10 +144,10 @@ void add_self_meeting(nlohmann::ordered_json& json,
 }
 
 ExitCode answer_for(const quality::Report& report, bool require_valid) {
-  if (!require_valid || report.valid == report.hexahedra) return ExitCode::yes;
+  if (!require_valid || report.valid == report.cells) return ExitCode::yes;
   say(fmt::format("{} not proven valid, of {}; the mesh was written all the same",
-                  counted(report.hexahedra - report.valid, "hexahedron is", "hexahedra are"),
-                  report.hexahedra));
+                  counted(report.cells - report.valid, "hexahedron is", "hexahedra are"),
+                  report.cells));
   return ExitCode::undecided;
 }
 

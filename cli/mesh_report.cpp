@@ -131,8 +131,8 @@ std::string figure(const char* label, const std::string& value) {
 }
 
 std::string figures(const quality::Report& quality) {
-  return "<dl class=\"figures\">\n" + figure("hexahedra", std::to_string(quality.hexahedra)) +
-         figure("not proven valid", std::to_string(quality.hexahedra - quality.valid)) +
+  return "<dl class=\"figures\">\n" + figure("hexahedra", std::to_string(quality.cells)) +
+         figure("not proven valid", std::to_string(quality.cells - quality.valid)) +
          figure("minimum scaled Jacobian", fmt::format("{:.4f}", quality.min_scaled_jacobian)) +
          figure("mean scaled Jacobian", fmt::format("{:.4f}", quality.mean_scaled_jacobian)) +
          "</dl>\n";
@@ -148,7 +148,7 @@ std::string section_of(const Account& account) {
 
 std::string section_of(const QualityAccount& account, std::size_t number) {
   const quality::Report& quality = account.quality;
-  const std::size_t all = quality.hexahedra;
+  const std::size_t all = quality.cells;
   std::string bins;
   for (std::size_t bin = 0; bin < quality.histogram.size(); ++bin)
     bins += row(histogram_bin(bin), quality.histogram[bin], all);

@@ -37,7 +37,7 @@ MeshReport report_of(const MeshUntangleOptions& options, std::size_t moved,
                      const quality::Report& before, const quality::Report& after, double elapsed) {
   Account given{"What was given", {}};
   given.add("mesh", shown_name(options.input, "standard input"));
-  given.add("hexahedra", before.hexahedra);
+  given.add("hexahedra", before.cells);
   Account done{"What was done", {}};
   done.add("method", options.harmonic ? "better places, from harmonic ones"
                                       : "better places, from those given");
@@ -79,7 +79,7 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
                      report_page(report_of(options, moved, before, report, elapsed), mesh));
   if (options.json) {
     nlohmann::ordered_json json;
-    json["hexahedra"] = report.hexahedra;
+    json["hexahedra"] = report.cells;
     json["free_vertices"] = moved;
     json["before"] = json_of(before);
     json["after"] = json_of(report);
@@ -87,7 +87,7 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
     tell(files, to_line(json));
   } else {
     tell(files, fmt::format("{}: {}, {}\nbefore\n{}after\n{}", options.output,
-                            counted(report.hexahedra, "hexahedron", "hexahedra"),
+                            counted(report.cells, "hexahedron", "hexahedra"),
                             counted(moved, "free vertex", "free vertices"), quality_text(before),
                             quality_text(report)));
   }

@@ -67,7 +67,7 @@ std::string json_line(std::size_t before, const mesh::HexMesh& mesh, std::size_t
   const quality::Report report = quality::report(mesh);
   nlohmann::ordered_json json;
   json["before"] = before;
-  json["after"] = report.hexahedra;
+  json["after"] = report.cells;
   json["interior_vertices"] = interior;
   json["exchanges"] = made.exchanges;
   json["seconds"] = elapsed;
@@ -82,7 +82,7 @@ std::string summary(std::size_t before, const mesh::HexMesh& mesh, std::size_t i
                     const simplify::Simplified& made, const std::string& output) {
   const quality::Report report = quality::report(mesh);
   return fmt::format("{}: {}, {} before; {}; {}\n{}", output,
-                     counted(report.hexahedra, "hexahedron", "hexahedra"), before,
+                     counted(report.cells, "hexahedron", "hexahedra"), before,
                      counted(interior, "interior vertex", "interior vertices"),
                      counted(made.exchanges, "exchange", "exchanges"), quality_text(report));
 }

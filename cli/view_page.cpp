@@ -144,7 +144,7 @@ struct Qualities {
 Qualities qualities_of(const mesh::HexMesh& mesh) {
   Qualities result;
   for (const auto& hexahedron : mesh.hexahedra) {
-    const quality::Corners corners = quality::corners_of(mesh, hexahedron);
+    const quality::Corners corners = quality::corners_of<8>(mesh.points, hexahedron);
     const quality::Verdict verdict = quality::verdict_of_hexahedron(corners);
     const double jacobian = quality::scaled_jacobian(corners);
     result.jacobians.push_back(jacobian);

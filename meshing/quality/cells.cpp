@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "meshing/quality/edge.hpp"
+#include "meshing/quality/vector.hpp"
 #include "meshing/quality/verdict.hpp"
 #include "realize/exact/prism.hpp"
 
@@ -20,12 +21,6 @@ Verdict verdict_of(const Cell& cell) {
   const std::optional<exact::JacobianVerdict> filtered = exact::filtered_jacobian_verdict(cell);
   return verdict_from(filtered ? *filtered : exact::exact_jacobian_verdict(cell),
                       !filtered.has_value());
-}
-
-double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-Point cross(const Point& a, const Point& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 /// The normal of the triangle a b c, as long as the sum of the sines of its angles.

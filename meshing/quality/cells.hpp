@@ -10,21 +10,23 @@
 /// Shape. The least over the corners of a number in [-1, 1] that has the sign of the determinant
 /// of the edges there, decided exactly; so the least is positive exactly if the cell is not
 /// inverted. A corner with an edge of length zero counts 0. u, v, w are the edges at the corner.
-///   Tetrahedron: sqrt 2 det(u, v, w) / (|u| |v| |w|), the least in absolute value. 1 for the
-///   regular
-///     one only: the product of the four values is 4 d^4 / (product of the edges)^2, d being the
-///     determinant, and sqrt 2 d is at most the square root of the product of the edges.
-///   Prism: 2 / (3 sqrt 3) det(u, v, w) (1/(|u| |v|) + 1/(|v| |t|) + 1/(|u| |t|)) / |w|, where w is
-///     the lateral edge and t the third edge of the triangle. Up to the factor it is the sum of the
-///     sines of the triangle's angles times the cosine of the angle of w with its normal: 1
-///     for right prisms over equilateral triangles, of any height.
-///   Pyramid, at a corner of the base with the edge w to the apex: 3 D^(2/3) / (|u|^2 + |v|^2 +
-///     |z|^2), where z = sqrt 2 (w - (u + v) / 2) and D = det(u, v, z). 1 for the square base with
-///     equilateral sides, where u, v, z are orthonormal up to a factor; by the inequality of the
-///     means at most 1.
 ///
-/// Requires. Finite coordinates, else PreconditionViolated. No scale of them makes a shape
-/// overflow. Cost. Below a microsecond where double precision decides; some microseconds otherwise.
+/// Tetrahedron: sqrt 2 det(u, v, w) / (|u| |v| |w|), the least in absolute value. The product of
+/// the four values is 4 d^4 / (product of the edges)^2, d being the determinant, and sqrt 2 d is at
+/// most the square root of the product of the edges: at most 1, for regular tetrahedra only.
+///
+/// Prism: 2 / (3 sqrt 3) det(u, v, w) (1/(|u| |v|) + 1/(|v| |t|) + 1/(|u| |t|)) / |w|, where w is
+/// the lateral edge and t the third edge of the triangle. Up to the factor it is the sum of the
+/// sines of the triangle's angles times the cosine of the angle of w with its normal: 1 for right
+/// prisms over equilateral triangles, of any height.
+///
+/// Pyramid, at a corner of the base with the edge w to the apex: with z = sqrt 2 (w - (u + v) / 2)
+/// and D = det(u, v, z), 3 D^(2/3) / (|u|^2 + |v|^2 + |z|^2). By the inequality of the means at
+/// most 1, and 1 for the square base with equilateral sides, where u, v, z are orthonormal up to a
+/// factor.
+///
+/// Requires. Finite coordinates, else PreconditionViolated. No scale makes a shape overflow.
+/// Cost. Below a microsecond where double precision decides; some microseconds otherwise.
 /// Not promised. That a shape proves validity inside: of a prism it does not.
 
 #include <array>

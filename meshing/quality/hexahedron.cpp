@@ -6,18 +6,41 @@
 #include <cstddef>
 #include <optional>
 
+#include "enum/core/checks.hpp"
 #include "meshing/quality/edge.hpp"
 #include "meshing/quality/verdict.hpp"
 
 namespace hexatlas::quality {
+namespace {
+
+/// The first verdict, or that by subdivision, in double precision if this suffices.
+Verdict verdict_after(std::optional<exact::JacobianVerdict> verdict,
+                      const exact::Hexahedron& hexahedron) {
+  if (!verdict) verdict = exact::subdivided_jacobian_verdict(hexahedron, kSubdivisionDepth);
+  if (verdict) return verdict_from(*verdict, false);
+  return verdict_from(exact::exact_jacobian_verdict(hexahedron, kSubdivisionDepth), true);
+}
+
+}  // namespace
 
 Verdict verdict_of_hexahedron(const Corners& corners) {
-  const exact::Hexahedron hexahedron = exact_points(corners);
-  std::optional<exact::JacobianVerdict> filtered = exact::filtered_jacobian_verdict(hexahedron);
-  if (!filtered) filtered = exact::subdivided_jacobian_verdict(hexahedron, kSubdivisionDepth);
-  return verdict_from(
-      filtered ? *filtered : exact::exact_jacobian_verdict(hexahedron, kSubdivisionDepth),
-      !filtered.has_value());
+  Verdict verdict;
+  verdicts_of_hexahedra({&corners, 1}, {&verdict, 1});
+  return verdict;
+}
+
+void verdicts_of_hexahedra(std::span<const Corners> hexahedra, std::span<Verdict> verdicts) {
+  core::expects(hexahedra.size() == verdicts.size(), "quality: a verdict for each hexahedron");
+  constexpr std::size_t kBatch = 32;
+  std::array<exact::Hexahedron, kBatch> batch{};
+  std::array<std::optional<exact::JacobianVerdict>, kBatch> filtered;
+  for (std::size_t first = 0; first < hexahedra.size(); first += kBatch) {
+    const std::size_t count = std::min(kBatch, hexahedra.size() - first);
+    for (std::size_t i = 0; i < count; ++i) batch[i] = exact_points(hexahedra[first + i]);
+    exact::filtered_jacobian_verdicts({batch.data(), count}, {filtered.data(), count});
+    for (std::size_t i = 0; i < count; ++i)
+      verdicts[first + i] = verdict_after(filtered[i], batch[i]);
+  }
 }
 
 double scaled_jacobian(const Corners& corners) {

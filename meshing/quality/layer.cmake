@@ -1,4 +1,5 @@
 hexatlas_layer(meshing/quality
-  HEADERS hexahedron.hpp cells.hpp edge.hpp report.hpp box_tree.hpp self_meeting.hpp
-  SOURCES hexahedron.cpp cells.cpp report.cpp verdict.hpp box_tree.cpp self_meeting.cpp
-  USES enum/core realize/exact meshing/mesh)
+  HEADERS hexahedron.hpp cells.hpp edge.hpp least_shape.hpp volume.hpp report.hpp box_tree.hpp self_meeting.hpp
+  SOURCES hexahedron.cpp cells.cpp least_shape.cpp volume.cpp report.cpp vector.hpp verdict.hpp
+    box_tree.cpp self_meeting.cpp
+  USES enum/core enum/cells realize/exact meshing/mesh)

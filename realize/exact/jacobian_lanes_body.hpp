@@ -157,7 +157,7 @@ LaneVerdicts judge(const Point3* a, const Point3* b, const Point3* c, const Poin
   for (const Vector& edge : edges.a) zero += (edge.x * 0 + edge.y * 0) + edge.z * 0;
   const LaneBits finite = zero == 0;
   const LaneBits in_range = (least(least(bound.x, bound.y), bound.z) >= 0x1p-300) &
-                            (greatest(greatest(bound.x, bound.y), bound.z) <= 0x1p300) & finite;
+                            (greatest(greatest(bound.x, bound.y), bound.z) <= 0x1p300);
   const Lanes unit = bound.x * bound.y * bound.z;
   const LaneBits positive = (sums.corner > 0x1p-47 * unit) & (sums.edge > 0x1p-46 * unit) &
                             (sums.facet > 0x1p-43 * unit) & (sums.inside > 0x1p-40 * unit);
