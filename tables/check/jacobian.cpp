@@ -56,9 +56,9 @@ Bernstein<Number> half_of(const Bernstein<Number>& whole, unsigned stride, bool 
   Bernstein<Number> half{};
   for (unsigned at = 0; at < whole.size(); ++at) {
     if (at / stride % 3 != 0) continue;
-    const Number first = whole[upper ? at + 2 * stride : at];
-    const Number middle = whole[at + stride];
-    const Number last = whole[upper ? at : at + 2 * stride];
+    const Number& first = whole[upper ? at + 2 * stride : at];
+    const Number& middle = whole[at + stride];
+    const Number& last = whole[upper ? at : at + 2 * stride];
     half[upper ? at + 2 * stride : at] = 4 * first;
     half[at + stride] = 2 * (first + middle);
     half[upper ? at : at + 2 * stride] = first + 2 * middle + last;
