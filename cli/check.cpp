@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "cli/check_hybrid.hpp"
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "enum/core/errors.hpp"
@@ -263,6 +264,7 @@ ExitCode check_delaunay_mesh(const CheckOptions& options) {
 ExitCode check(const CheckOptions& options) {
   try {
     if (options.delaunay) return check_delaunay_mesh(options);
+    if (options.hybrid) return check_hybrid_mesh(options);
     // What is no mesh is told by its first words, whatever its name; a mesh by its name.
     const std::string bytes = check::bytes_of_file(options.mesh);
     if (check::is_bound(bytes)) return check_one_bound(options, bytes);

@@ -99,12 +99,18 @@ void add_check(CLI::App& app, Action& action) {
                    "certificate (.hxb) or sectors (.hxs)")
       ->required();
   command->add_option("--boundary", options->boundary,
-                      "Quad surface that the mesh must have as its boundary");
+                      "Quad surface that the mesh must have as its boundary; with --hybrid: "
+                      "tetrahedral mesh whose boundary it must have");
   command->add_option("--completeness", options->completeness,
                       "Proof that the classes of the catalogue are all (.hxl)");
+  auto* hybrid = command->add_flag(
+      "--hybrid", options->hybrid,
+      "Mesh of tetrahedra, hexahedra, prisms and pyramids: valid cells, facet to facet, none "
+      "over another");
   auto* delaunay =
       command->add_flag("--delaunay", options->delaunay,
                         "The mesh must be a Delaunay triangulation of its points, by exact signs");
+  delaunay->excludes(hybrid);
   command
       ->add_option(
           "--points", options->points,
@@ -116,6 +122,7 @@ void add_check(CLI::App& app, Action& action) {
       "Examples:\n"
       "  hexatlas check pyramid.vtu --boundary pyramid.obj\n"
       "  hexatlas check --delaunay tetrahedra.vtu --points points.xyz\n"
+      "  hexatlas check --hybrid mixed.vtu --boundary tetrahedra.vtu\n"
       "  hexatlas check hexahedron.hxc --completeness hexahedron.hxl\n");
   command->callback([options, &action] { action = [options] { return check(*options); }; });
 }

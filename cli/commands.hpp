@@ -115,6 +115,7 @@ struct ViewOptions {
 struct CheckOptions {
   std::string mesh, boundary, completeness, points;
   bool delaunay = false;
+  bool hybrid = false;
   bool json = false;
 };
 [[nodiscard]] ExitCode check(const CheckOptions& options);

@@ -16,7 +16,8 @@
 /// Points keep the order of the file. Of the cells of a Mesh, hexahedra and quads are kept;
 /// isolated points and line segments are passed over, since they carry no part of a mesh; any other
 /// cell is refused. Of a mesh of tetrahedra these are kept, while isolated points, line segments,
-/// triangles and quads are passed over and other cells refused. Attributes (fields, references,
+/// triangles and quads are passed over and other cells refused; of a hybrid mesh hexahedra, prisms
+/// and pyramids are kept as well (no `.hxtet`). Attributes (fields, references,
 /// physical groups) are passed over. Decimal coordinates are read as the nearest double, whatever
 /// width the file declares.
 ///
@@ -44,6 +45,15 @@ using Hexahedron = std::array<std::uint32_t, 8>;
 /// Four vertices a, b, c, d in VTK order: with right-handed axes det(b - a, c - a, d - a) > 0.
 using Tetrahedron = std::array<std::uint32_t, 4>;
 
+/// Bottom triangle 0 1 2 and top triangle 3 4 5, vertex i + 3 above vertex i: with right-handed
+/// axes det(1 - 0, 2 - 0, 3 - 0) > 0. Of a VTK wedge the first triangle turns the other way, as VTK
+/// documents and computes volumes; MEDIT and Gmsh list prisms like this.
+using Prism = std::array<std::uint32_t, 6>;
+
+/// Base 0 1 2 3, cyclic, and apex 4, as in all formats: with right-handed axes
+/// det(1 - 0, 3 - 0, 4 - 0) > 0.
+using Pyramid = std::array<std::uint32_t, 5>;
+
 struct Surface {
   std::vector<Point> points;
   std::vector<Quad> quads;
@@ -60,9 +70,18 @@ struct TetrahedralMesh {
   std::vector<Tetrahedron> tetrahedra;
 };
 
+struct HybridMesh {
+  std::vector<Point> points;
+  std::vector<Tetrahedron> tetrahedra;
+  std::vector<Hexahedron> hexahedra;
+  std::vector<Prism> prisms;
+  std::vector<Pyramid> pyramids;
+};
+
 /// "-" is standard input; pipes and devices are read until they end. At most 4 GiB.
 [[nodiscard]] Mesh read_mesh(const std::filesystem::path& path);
 [[nodiscard]] Surface read_surface(const std::filesystem::path& path);
+[[nodiscard]] HybridMesh read_hybrid(const std::filesystem::path& path);
 [[nodiscard]] TetrahedralMesh read_tetrahedra(const std::filesystem::path& path);
 /// The points of a file of points, or of a mesh of any known cells.
 [[nodiscard]] std::vector<Point> read_points(const std::filesystem::path& path);
@@ -71,6 +90,7 @@ struct TetrahedralMesh {
 /// bytes; `name` also opens each message.
 [[nodiscard]] Mesh parse_mesh(const std::string& name, std::string_view bytes);
 [[nodiscard]] Surface parse_surface(const std::string& name, std::string_view bytes);
+[[nodiscard]] HybridMesh parse_hybrid(const std::string& name, std::string_view bytes);
 [[nodiscard]] TetrahedralMesh parse_tetrahedra(const std::string& name, std::string_view bytes);
 [[nodiscard]] std::vector<Point> parse_points(const std::string& name, std::string_view bytes);
 

@@ -9,11 +9,13 @@ namespace hexatlas::check {
 
 namespace {
 
-constexpr std::array<ShapeNumber, 6> kGmshShapes = {{{1, Shape::kLine},
+constexpr std::array<ShapeNumber, 8> kGmshShapes = {{{1, Shape::kLine},
                                                      {2, Shape::kTriangle},
                                                      {3, Shape::kQuad},
                                                      {4, Shape::kTetrahedron},
                                                      {5, Shape::kHexahedron},
+                                                     {6, Shape::kPrism},
+                                                     {7, Shape::kPyramid},
                                                      {15, Shape::kVertex}}};
 
 /// The points of a Gmsh file carry tags; their order in the file numbers them here.

@@ -8,12 +8,14 @@ namespace hexatlas::check {
 
 namespace {
 
-constexpr std::array<ShapeNumber, 6> kVtkShapes = {{{1, Shape::kVertex},
+constexpr std::array<ShapeNumber, 8> kVtkShapes = {{{1, Shape::kVertex},
                                                     {3, Shape::kLine},
                                                     {5, Shape::kTriangle},
                                                     {9, Shape::kQuad},
                                                     {10, Shape::kTetrahedron},
-                                                    {12, Shape::kHexahedron}}};
+                                                    {12, Shape::kHexahedron},
+                                                    {13, Shape::kWedge},
+                                                    {14, Shape::kPyramid}}};
 
 /// CELLS n size, then n rows "k i1 .. ik"; size counts all these numbers.
 void read_rows(Scanner& in, VtkCells& cells) {

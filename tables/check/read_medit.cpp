@@ -18,13 +18,15 @@ constexpr std::array<std::pair<std::string_view, unsigned>, 6> kPassedOver = {
      {"RequiredTriangles", 1},
      {"RequiredQuadrilaterals", 1}}};
 
-constexpr std::array<std::pair<std::string_view, Shape>, 6> kCells = {
+constexpr std::array<std::pair<std::string_view, Shape>, 8> kCells = {
     {{"Edges", Shape::kLine},
      {"Triangles", Shape::kTriangle},
      {"Quadrilaterals", Shape::kQuad},
      {"Quads", Shape::kQuad},
      {"Tetrahedra", Shape::kTetrahedron},
-     {"Hexahedra", Shape::kHexahedron}}};
+     {"Hexahedra", Shape::kHexahedron},
+     {"Prisms", Shape::kPrism},
+     {"Pyramids", Shape::kPyramid}}};
 
 /// The shape of the cells of a section, if it has any that are not refused.
 std::optional<Shape> shape_of(std::string_view section, const Draft& draft) {
@@ -76,7 +78,7 @@ Draft parse_medit(const std::string& name, std::string_view bytes, Wanted wanted
   in.expect("Dimension");
   in.expect("3");
   Draft draft(wanted);
-  std::array<bool, 6> seen{};
+  std::array<bool, kShapes> seen{};
   for (std::string_view keyword = in.word(); keyword != "End"; keyword = in.word()) {
     if (keyword == "Vertices") {
       read_vertices(in, draft.points);

@@ -57,9 +57,10 @@ Draft parse_draft(const std::string& name, std::string_view bytes, Wanted wanted
   if (format == ".vtu") return parse_vtu(name, bytes, wanted);
   if (format == ".mesh") return parse_medit(name, bytes, wanted);
   if (format == ".msh") return parse_gmsh(name, bytes, wanted);
-  if (format == ".hxtet" && wanted != Wanted::kHexahedra) return parse_hxtet(name, bytes, wanted);
-  const std::string known = wanted == Wanted::kHexahedra ? ".vtk, .vtu, .mesh or .msh"
-                                                         : ".vtk, .vtu, .mesh, .msh or .hxtet";
+  const bool takes_hxtet = wanted == Wanted::kTetrahedra || wanted == Wanted::kPoints;
+  if (format == ".hxtet" && takes_hxtet) return parse_hxtet(name, bytes, wanted);
+  const std::string known =
+      takes_hxtet ? ".vtk, .vtu, .mesh, .msh or .hxtet" : ".vtk, .vtu, .mesh or .msh";
   throw Malformed(name, 0,
                   ending(name).empty()        ? "begins like no " + known + " file"
                   : wanted == Wanted::kPoints ? "a file of points ends in .xyz, .bin, " + known
@@ -69,7 +70,7 @@ Draft parse_draft(const std::string& name, std::string_view bytes, Wanted wanted
 }  // namespace
 
 std::size_t corner_count(Shape shape) {
-  constexpr std::array<std::size_t, 6> kCorners = {1, 2, 3, 4, 4, 8};
+  constexpr std::array<std::size_t, kShapes> kCorners = {1, 2, 3, 4, 4, 8, 6, 6, 5};
   return kCorners[static_cast<std::size_t>(shape)];
 }
 
@@ -80,6 +81,10 @@ bool Draft::refuses(Shape shape) const {
       return wanted_ == Wanted::kHexahedra;
     case Shape::kHexahedron:
       return wanted_ == Wanted::kTetrahedra;
+    case Shape::kPrism:
+    case Shape::kWedge:
+    case Shape::kPyramid:
+      return wanted_ == Wanted::kTetrahedra || wanted_ == Wanted::kHexahedra;
     default:
       return false;
   }
@@ -89,9 +94,16 @@ void Draft::add(Shape shape, std::span<const std::uint32_t> corners) {
   const auto append = [&corners](auto& cells) {
     std::copy(corners.begin(), corners.end(), cells.emplace_back().begin());
   };
-  if (wanted_ == Wanted::kHexahedra && shape == Shape::kHexahedron) append(hexahedra);
+  if (wanted_ == Wanted::kPoints) return;
   if (wanted_ == Wanted::kHexahedra && shape == Shape::kQuad) append(quads);
-  if (wanted_ == Wanted::kTetrahedra && shape == Shape::kTetrahedron) append(tetrahedra);
+  if (shape == Shape::kHexahedron) append(hexahedra);
+  if (shape == Shape::kTetrahedron) append(tetrahedra);
+  if (shape == Shape::kPyramid) append(pyramids);
+  if (shape == Shape::kPrism || shape == Shape::kWedge) append(prisms);
+  if (shape == Shape::kWedge) {
+    std::swap(prisms.back()[1], prisms.back()[2]);
+    std::swap(prisms.back()[4], prisms.back()[5]);
+  }
 }
 
 const char* Draft::refusal() const {
@@ -102,6 +114,12 @@ const char* Draft::refusal() const {
 Mesh parse_mesh(const std::string& name, std::string_view bytes) {
   Draft draft = parse_draft(name, bytes, Wanted::kHexahedra);
   return {std::move(draft.points), std::move(draft.hexahedra), std::move(draft.quads)};
+}
+
+HybridMesh parse_hybrid(const std::string& name, std::string_view bytes) {
+  Draft draft = parse_draft(name, bytes, Wanted::kHybrid);
+  return {std::move(draft.points), std::move(draft.tetrahedra), std::move(draft.hexahedra),
+          std::move(draft.prisms), std::move(draft.pyramids)};
 }
 
 TetrahedralMesh parse_tetrahedra(const std::string& name, std::string_view bytes) {
@@ -131,6 +149,10 @@ Mesh read_mesh(const std::filesystem::path& path) {
 
 Surface read_surface(const std::filesystem::path& path) {
   return parse_surface(name_of_file(path), bytes_of_file(path));
+}
+
+HybridMesh read_hybrid(const std::filesystem::path& path) {
+  return parse_hybrid(name_of_file(path), bytes_of_file(path));
 }
 
 TetrahedralMesh read_tetrahedra(const std::filesystem::path& path) {

@@ -13,7 +13,18 @@
 
 namespace hexatlas::check {
 
-enum class Shape : std::uint8_t { kVertex, kLine, kTriangle, kQuad, kTetrahedron, kHexahedron };
+enum class Shape : std::uint8_t {
+  kVertex,
+  kLine,
+  kTriangle,
+  kQuad,
+  kTetrahedron,
+  kHexahedron,
+  kPrism,
+  kWedge,  ///< a prism as VTK lists it
+  kPyramid,
+};
+inline constexpr std::size_t kShapes = 9;
 
 /// How a format calls a shape: by a number.
 struct ShapeNumber {
@@ -27,6 +38,7 @@ struct ShapeNumber {
 enum class Wanted : std::uint8_t {
   kHexahedra,   ///< hexahedra and quads kept, vertices and lines passed over, others refused
   kTetrahedra,  ///< tetrahedra kept, cells of lower dimension passed over, others refused
+  kHybrid,      ///< cells of dimension 3 kept, others passed over
   kPoints,      ///< every known cell passed over
 };
 
@@ -39,6 +51,8 @@ class Draft {
   std::vector<Hexahedron> hexahedra;
   std::vector<Quad> quads;
   std::vector<Tetrahedron> tetrahedra;
+  std::vector<Prism> prisms;
+  std::vector<Pyramid> pyramids;
 
   [[nodiscard]] bool refuses(Shape shape) const;
   /// Keeps a cell or passes it over. Its shape must not be refused.

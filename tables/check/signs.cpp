@@ -26,8 +26,6 @@
 // minors of at most 2 * 2^62 = 2^63, which entries below 2^31 do not reach.
 #include "tables/check/signs.hpp"
 
-#include <gmpxx.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -35,6 +33,7 @@
 #include <cmath>
 #include <limits>
 
+#include "tables/check/exact.hpp"
 #include "tables/check/wide.hpp"
 
 namespace hexatlas::check {
@@ -43,26 +42,6 @@ namespace {
 
 static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
               "the error bounds need IEEE double precision, each operation rounded once");
-
-template <class Number>
-using Vector = std::array<Number, 3>;
-
-template <class Number>
-Vector<Number> difference(const Vector<Number>& to, const Vector<Number>& from) {
-  return {Number(to[0] - from[0]), Number(to[1] - from[1]), Number(to[2] - from[2])};
-}
-
-template <class Number>
-Number minor_of(const Vector<Number>& a, const Vector<Number>& b) {
-  return a[0] * b[1] - b[0] * a[1];
-}
-
-/// Small holds the minors of two rows, Large what is made of them.
-template <class Large, class Small>
-Large determinant(const std::array<Vector<Small>, 3>& v) {
-  return Large(v[0][2]) * minor_of(v[1], v[2]) - Large(v[1][2]) * minor_of(v[0], v[2]) +
-         Large(v[2][2]) * minor_of(v[0], v[1]);
-}
 
 template <class Small>
 Small square(const Vector<Small>& v) {
@@ -89,36 +68,6 @@ Large sphere_determinant(const std::array<Vector<Small>, 4>& v) {
 template <class Number>
 int sign_of(const Number& value) {
   return value > 0 ? 1 : value < 0 ? -1 : 0;
-}
-
-/// Bounds of the absolute values of the coordinates.
-template <std::size_t kCount>
-Vector<double> bounds_of(const std::array<Vector<double>, kCount>& vectors) {
-  Vector<double> bounds{};
-  for (const Vector<double>& v : vectors) {
-    for (std::size_t i = 0; i < 3; ++i) bounds[i] = std::max(bounds[i], std::abs(v[i]));
-  }
-  return bounds;
-}
-
-bool are_moderate(const Vector<double>& bounds) {
-  const auto [least, greatest] = std::minmax({bounds[0], bounds[1], bounds[2]});
-  return least >= 0x1p-150 && greatest <= 0x1p150;
-}
-
-/// |value| = mantissa 2^exponent, for a finite value.
-struct Parts {
-  std::uint64_t mantissa;
-  int exponent;
-};
-
-Parts parts_of(double value) {
-  constexpr int kFraction = 52;
-  const auto bits = std::bit_cast<std::uint64_t>(value);
-  const auto biased = static_cast<int>(bits >> kFraction & 0x7FF);
-  const std::uint64_t fraction = bits & ((std::uint64_t{1} << kFraction) - 1);
-  if (biased == 0) return {fraction, -1074};
-  return {fraction | std::uint64_t{1} << kFraction, biased - 1075};
 }
 
 /// Whether to - from is exact, when `result` is its rounded value: then Knuth's TwoSum has no rest.
@@ -168,31 +117,6 @@ bool as_words(const std::array<Vector<double>, kCount>& values, int bits,
     }
   }
   return true;
-}
-
-/// The points as integers, multiplied by a power of two that they share.
-template <std::size_t kCount>
-std::array<Vector<mpz_class>, kCount> as_integers(const std::array<const Point*, kCount>& points) {
-  int unit = std::numeric_limits<int>::max();
-  for (const Point* point : points) {
-    for (const double value : *point) {
-      const Parts parts = parts_of(value);
-      if (parts.mantissa != 0) unit = std::min(unit, parts.exponent);
-    }
-  }
-  std::array<Vector<mpz_class>, kCount> integers;
-  for (std::size_t i = 0; i < kCount; ++i) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double value = (*points[i])[axis];
-      const Parts parts = parts_of(value);
-      if (parts.mantissa == 0) continue;
-      mpz_class& integer = integers[i][axis];
-      integer = static_cast<unsigned long>(parts.mantissa);
-      integer <<= static_cast<mp_bitcnt_t>(parts.exponent - unit);
-      if (value < 0) integer = -integer;
-    }
-  }
-  return integers;
 }
 
 /// Differences of the first points from the last one.

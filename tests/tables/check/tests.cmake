@@ -45,6 +45,12 @@ hexatlas_test(tables_check_delaunay_test fast
 hexatlas_test(sabotage_delaunay_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/delaunay_sabotage_test.cpp
   USES tables_check)
+hexatlas_test(tables_check_hybrid_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/hybrid_check_test.cpp
+  USES tables_check meshing_io)
+tests_of_two_sizes(sabotage_hybrid HEXATLAS_ROUNDS 6 120
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/hybrid_sabotage_test.cpp
+  USES tables_check)
 hexatlas_test(tables_check_quad_code_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/quad_code_test.cpp
   USES tables_check)
