@@ -107,7 +107,8 @@ void add_mesh_hybrid(CLI::App& mesh, Action& action) {
   auto* output =
       command->add_option("-o,--output", options->output,
                           "Mesh to write: .vtu .vtk .mesh .msh, or - for standard output (.vtk)");
-  command->add_flag("--count", "Find and count the candidates only")->excludes(output);
+  command->add_flag("--count", options->count, "Find and count the candidates only")
+      ->excludes(output);
   command->add_option("--candidates", options->candidates,
                       "File for the list of all candidates; - for standard output");
   command->add_option("--quality", options->quality, "Least scaled Jacobian of a cell, exclusive")
@@ -121,7 +122,7 @@ void add_mesh_hybrid(CLI::App& mesh, Action& action) {
   command->add_flag("--json", options->json, "Print one JSON object");
   add_threads(*command, options->threads);
   command->footer(
-      "Without --output the candidates are counted. Regions and coloured triangles of .mesh and\n"
+      "Either --output or --count. Regions and coloured triangles of .mesh and\n"
       ".msh are respected. `hexatlas check --hybrid` judges the mesh.\n" +
       example("hexatlas mesh hybrid tetrahedra.msh -o hybrid.vtu"));
   command->callback([options, &action] { action = [options] { return mesh_hybrid(*options); }; });

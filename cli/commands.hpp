@@ -62,8 +62,9 @@ struct MeshDelaunayOptions {
 
 struct MeshHybridOptions {
   std::string input;
-  std::string output;      ///< empty: candidates are counted only
+  std::string output;
   std::string candidates;  ///< file for their list; empty: none
+  bool count = false;      ///< no mesh, and no output
   double quality = 0.1;    ///< the least, exclusive
   bool conforming = true;
   int rounds = 2;  ///< of exchange

@@ -55,7 +55,11 @@ void make_mesh(const MeshHybridOptions& options, const hybrid::TetGraph& graph,
 }  // namespace
 
 ExitCode mesh_hybrid(const MeshHybridOptions& options) {
-  const bool is_counted = options.output.empty();
+  const bool is_counted = options.count;
+  if (is_counted == !options.output.empty()) {
+    say("either --output or --count is needed. See `hexatlas mesh hybrid --help`.");
+    return ExitCode::usage;
+  }
   if (!are_distinct({options.input, options.output, options.candidates}, "TETMESH", "mesh hybrid"))
     return ExitCode::usage;
   if (!is_counted) expect_hybrid_writable(options.output);

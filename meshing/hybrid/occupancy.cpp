@@ -56,6 +56,31 @@ void for_each_edge(const CellView& cell, const Visit& visit) {
     visit(key(cell.vertices[edge[0]], cell.vertices[edge[1]]));
 }
 
+enum class PairKind : std::uint8_t { inside, edge, diagonal };
+
+/// Two vertices of a cell; of a diagonal, also the other one of the quad.
+struct LocalPair {
+  PairKind kind = PairKind::inside;
+  LocalEdge crossing{};
+};
+using PairTable = std::array<std::array<LocalPair, 8>, 8>;
+
+PairTable make_pairs(Shape shape) {
+  PairTable table{};
+  for (const auto& [i, j] : edges_of(shape)) table[i][j] = table[j][i] = {PairKind::edge, {}};
+  for (const LocalQuad& q : quads_of(shape)) {
+    table[q[0]][q[2]] = table[q[2]][q[0]] = {PairKind::diagonal, {q[1], q[3]}};
+    table[q[1]][q[3]] = table[q[3]][q[1]] = {PairKind::diagonal, {q[0], q[2]}};
+  }
+  return table;
+}
+
+const PairTable& pairs_of(Shape shape) {
+  static const std::array<PairTable, kShapes> kTables{
+      make_pairs(Shape::hexahedron), make_pairs(Shape::prism), make_pairs(Shape::pyramid)};
+  return kTables[static_cast<std::size_t>(shape)];
+}
+
 }  // namespace
 
 std::span<const LocalEdge> edges_of(Shape shape) {
@@ -92,6 +117,37 @@ CellView view_of(const Candidates& candidates, Cell cell) {
       return view(candidates.pyramids, cell.shape, cell.index);
   }
   throw core::InternalError("hybrid: unknown shape");
+}
+
+bool are_compatible(const CellView& a, const CellView& b) {
+  const auto meet = [](std::span<const TetIndex> one, std::span<const TetIndex> other) {
+    return std::find_first_of(one.begin(), one.end(), other.begin(), other.end()) != one.end();
+  };
+  if (meet(a.inner, b.inner) || meet(a.inner, b.flat) || meet(a.flat, b.inner)) return false;
+  constexpr std::uint8_t kNone = 8;
+  std::array<std::uint8_t, 8> image{};  // of the vertices of a among those of b
+  std::size_t common = 0;
+  for (std::size_t i = 0; i < a.vertices.size(); ++i) {
+    const auto it = std::find(b.vertices.begin(), b.vertices.end(), a.vertices[i]);
+    image[i] = it == b.vertices.end() ? kNone : static_cast<std::uint8_t>(it - b.vertices.begin());
+    if (image[i] != kNone) ++common;
+  }
+  if (common < 2) return true;
+  const PairTable& in_a = pairs_of(a.shape);
+  const PairTable& in_b = pairs_of(b.shape);
+  for (std::size_t i = 0; i < a.vertices.size(); ++i)
+    for (std::size_t j = i + 1; j < a.vertices.size(); ++j) {
+      if (image[i] == kNone || image[j] == kNone) continue;
+      const LocalPair& one = in_a[i][j];
+      const LocalPair& other = in_b[image[i]][image[j]];
+      if (one.kind == PairKind::inside || other.kind == PairKind::inside) continue;
+      if (one.kind != other.kind) return false;
+      if (one.kind == PairKind::edge) continue;
+      const std::uint8_t k = image[one.crossing[0]];
+      const std::uint8_t l = image[one.crossing[1]];
+      if (std::minmax(k, l) != std::minmax(other.crossing[0], other.crossing[1])) return false;
+    }
+  return true;
 }
 
 bool Occupancy::fits(const CellView& cell) const {

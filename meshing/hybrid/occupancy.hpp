@@ -31,6 +31,9 @@ using LocalQuad = std::array<std::uint8_t, 4>;
 /// Cyclic, counter-clockwise from outside.
 [[nodiscard]] std::span<const LocalQuad> quads_of(Shape shape);
 
+/// As selection.hpp defines it.
+[[nodiscard]] bool are_compatible(const CellView& a, const CellView& b);
+
 class Occupancy {
  public:
   static constexpr std::uint32_t kFree = 0xFFFF'FFFF;

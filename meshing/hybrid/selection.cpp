@@ -1,7 +1,8 @@
 #include "meshing/hybrid/selection.hpp"
 
 #include <algorithm>
-#include <tuple>
+#include <limits>
+#include <numeric>
 
 #include "enum/core/checks.hpp"
 #include "meshing/hybrid/occupancy.hpp"
@@ -24,9 +25,10 @@ double volume(const TetGraph& graph, TetIndex t) {
 class Selector {
  public:
   Selector(const TetGraph& graph, const Candidates& candidates, const SelectionOptions& options)
-      : candidates_(candidates), options_(options), occupancy_(graph.size()) {
+      : graph_(graph), candidates_(candidates), options_(options), occupancy_(graph.size()) {
     list_cells();
-    weigh(graph);
+    sort_by_weight();
+    sort_by_quality();
     list_by_tetrahedron(graph.size());
   }
 
@@ -41,6 +43,7 @@ class Selector {
     std::vector<Cell> chosen;
     for (std::uint32_t name = 0; name < cells_.size(); ++name)
       if (is_in_[name] != 0) chosen.push_back(cells_[name]);
+    std::sort(chosen.begin(), chosen.end());
     return chosen;
   }
 
@@ -70,26 +73,44 @@ class Selector {
     add(Shape::pyramid, candidates_.pyramids.cells.size());
     core::expects(cells_.size() < Occupancy::kFree, "fewer than 2^32 - 1 candidates");
     is_in_.assign(cells_.size(), 0);
+  }
+
+  /// So that the heavier of two cells has the lesser name.
+  void sort_by_weight() {
+    struct Weighed {
+      double weight;
+      Cell cell;
+    };
+    std::vector<Weighed> weighed;
+    weighed.reserve(cells_.size());
+    for (const Cell cell : cells_) {
+      double sum = 0;
+      for (const TetIndex t : view_of(candidates_, cell).inner) sum += volume(graph_, t);
+      weighed.push_back({sum * options_.factor[static_cast<std::size_t>(cell.shape)], cell});
+    }
+    std::sort(weighed.begin(), weighed.end(), [](const Weighed& a, const Weighed& b) {
+      return a.weight != b.weight ? a.weight > b.weight : a.cell < b.cell;
+    });
+    weight_.reserve(cells_.size());
+    for (std::size_t i = 0; i < weighed.size(); ++i) {
+      cells_[i] = weighed[i].cell;
+      weight_.push_back(weighed[i].weight);
+    }
+    if (!weight_.empty()) least_gain_ = 1e-12 * weight_.front();
+  }
+
+  void sort_by_quality() {
     by_quality_.resize(cells_.size());
-    for (std::uint32_t name = 0; name < cells_.size(); ++name) by_quality_[name] = name;
+    std::iota(by_quality_.begin(), by_quality_.end(), 0U);
     std::sort(by_quality_.begin(), by_quality_.end(), [this](std::uint32_t a, std::uint32_t b) {
       if (cells_[a].shape != cells_[b].shape) return cells_[a].shape < cells_[b].shape;
       const double one = view(a).quality;
       const double other = view(b).quality;
-      return one != other ? one > other : a < b;
+      return one != other ? one > other : cells_[a] < cells_[b];
     });
   }
 
-  void weigh(const TetGraph& graph) {
-    weight_.reserve(cells_.size());
-    for (const Cell cell : cells_) {
-      double sum = 0;
-      for (const TetIndex t : view_of(candidates_, cell).inner) sum += volume(graph, t);
-      weight_.push_back(sum * options_.factor[static_cast<std::size_t>(cell.shape)]);
-    }
-  }
-
-  /// In each row better weights first.
+  /// In each row the heavier ones first.
   void list_by_tetrahedron(std::size_t tetrahedra) {
     at_start_.assign(tetrahedra + 1, 0);
     for (const Cell cell : cells_)
@@ -101,21 +122,23 @@ class Selector {
       for (const TetIndex t : view(name).inner) at_[next[t]++] = name;
   }
 
-  [[nodiscard]] bool is_heavier(std::uint32_t a, std::uint32_t b) const {
-    return std::tuple(-weight_[a], cells_[a].shape, a) <
-           std::tuple(-weight_[b], cells_[b].shape, b);
-  }
-
-  /// The candidates that have a tetrahedron of the cell, the heaviest first.
-  [[nodiscard]] Names rivals(std::uint32_t name) const {
+  /// The candidates that have a tetrahedron of one of these cells and otherwise free ones, the
+  /// heaviest first.
+  [[nodiscard]] Names free_rivals(const Names& names) const {
     Names result;
-    for (const TetIndex t : view(name).inner)
-      for (std::size_t i = at_start_[t]; i < at_start_[t + 1]; ++i) result.push_back(at_[i]);
+    for (const std::uint32_t name : names)
+      for (const TetIndex t : view(name).inner)
+        for (std::size_t i = at_start_[t]; i < at_start_[t + 1]; ++i)
+          if (is_free(at_[i])) result.push_back(at_[i]);
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
-    std::sort(result.begin(), result.end(),
-              [this](std::uint32_t a, std::uint32_t b) { return is_heavier(a, b); });
     return result;
+  }
+
+  [[nodiscard]] bool is_free(std::uint32_t name) const {
+    const auto inner = view(name).inner;
+    return std::all_of(inner.begin(), inner.end(),
+                       [this](TetIndex t) { return occupancy_.owner(t) == Occupancy::kFree; });
   }
 
   /// The cells in with a tetrahedron of this one.
@@ -125,6 +148,24 @@ class Selector {
       if (const std::uint32_t owner = occupancy_.owner(t); owner != Occupancy::kFree)
         if (std::find(result.begin(), result.end(), owner) == result.end()) result.push_back(owner);
     return result;
+  }
+
+  [[nodiscard]] double weight_of(const Names& names) const {
+    return std::accumulate(names.begin(), names.end(), 0.0,
+                           [this](double sum, std::uint32_t name) { return sum + weight_[name]; });
+  }
+
+  /// The cells in that are not compatible with this one.
+  [[nodiscard]] Names blockers(const CellView& cell) const {
+    Names near;
+    for (const Index v : cell.vertices)
+      for (const TetIndex t : graph_.star(v))
+        if (const std::uint32_t owner = occupancy_.owner(t); owner != Occupancy::kFree)
+          near.push_back(owner);
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+    std::erase_if(near, [&](std::uint32_t name) { return are_compatible(cell, view(name)); });
+    return near;
   }
 
   /// Takes `out` out, puts `in` in unless it is kFree, and fills up from what else fits there;
@@ -147,10 +188,9 @@ class Selector {
       if (is_possible) enter(in);
     }
     if (is_possible)
-      for (const std::uint32_t name : out)
-        for (const std::uint32_t rival : rivals(name))
-          if (is_in_[rival] == 0 && rival != name && occupancy_.fits(view(rival))) enter(rival);
-    if (is_possible && gain > kLeastGain * weight_[out.front()]) return true;
+      for (const std::uint32_t rival : free_rivals(out))
+        if (occupancy_.fits(view(rival))) enter(rival);
+    if (is_possible && gain > least_gain_) return true;
     for (const std::uint32_t name : entered) take(name);
     for (const std::uint32_t name : out) put(name);
     return false;
@@ -158,23 +198,26 @@ class Selector {
 
   /// One round; false if nothing was gained.
   bool exchange() {
+    // Of many candidates only those are tried that promise more.
+    const double share = cells_.size() < kFew ? 0 : kShare;
     bool is_better = false;
     for (const std::uint32_t name : by_quality_) {
       if (is_in_[name] != 0) {
         is_better = try_exchange({name}, Occupancy::kFree) || is_better;
         continue;
       }
-      const Names out = owners(view(name));
-      double lost = 0;
-      for (const std::uint32_t owner : out) lost += weight_[owner];
-      if (!out.empty() && lost < weight_[name]) is_better = try_exchange(out, name) || is_better;
+      const double most = share > 0 ? weight_[name] / share : std::numeric_limits<double>::max();
+      if (weight_of(owners(view(name))) >= most) continue;
+      const Names out = blockers(view(name));
+      if (weight_of(out) < most) is_better = try_exchange(out, name) || is_better;
     }
     return is_better;
   }
 
-  /// Smaller gains may be rounding.
-  static constexpr double kLeastGain = 1e-9;
+  static constexpr std::size_t kFew = 20'000;
+  static constexpr double kShare = 0.8;
 
+  const TetGraph& graph_;
   const Candidates& candidates_;
   SelectionOptions options_;
   Occupancy occupancy_;
@@ -182,6 +225,7 @@ class Selector {
   std::vector<std::uint8_t> is_in_;
   Names by_quality_;
   std::vector<double> weight_;
+  double least_gain_ = 0;  ///< smaller gains may be rounding
   std::vector<std::size_t> at_start_;
   Names at_;
 };
