@@ -1,5 +1,5 @@
 // Claim. candidates() finds each combination of tetrahedra into a valid hexahedron, prism or
-// pyramid of a given quality exactly once, the same for any number of threads and any numbering.
+// pyramid of a given quality exactly once; in any numbering.
 // Oracles. Brute force over all tuples of vertices and all diagonals (oracle.hpp); the counts of
 // Kuhn lattices that the implementation of the method's authors gives.
 #include "meshing/hybrid/candidates.hpp"
@@ -11,49 +11,18 @@
 #include <numeric>
 #include <random>
 
-#include "tests/meshing/hybrid/kuhn.hpp"
-#include "tests/meshing/hybrid/oracle.hpp"
+#include "tests/meshing/hybrid/brute_force.hpp"
 
 namespace hexatlas {
 namespace {
 
 using hybrid::Candidates;
 using hybrid::TetGraph;
+using hybrid_tests::cells_of;
+using hybrid_tests::expect_as_by_brute_force;
+using hybrid_tests::expect_as_by_brute_force_at_random;
+using hybrid_tests::graph_of;
 using hybrid_tests::kuhn;
-using hybrid_tests::random_delaunay;
-
-TetGraph graph_of(const mesh::TetMesh& mesh) {
-  auto graph = TetGraph::of({mesh.points, mesh.tetrahedra});
-  if (const auto* fault = std::get_if<complex::BrokenLaw>(&graph)) ADD_FAILURE() << fault->reason;
-  return std::get<TetGraph>(std::move(graph));
-}
-
-template <std::size_t N>
-hybrid_tests::Cells cells_of(const hybrid_tests::OracleShape& shape,
-                             const hybrid::CandidateList<N>& list) {
-  hybrid_tests::Cells cells;
-  for (std::size_t i = 0; i < list.cells.size(); ++i) {
-    const auto inside = list.inside(i);
-    const auto all = list.all(i);
-    hybrid_tests::Found found{{inside.begin(), inside.end()}, {}};
-    found.flat.insert(all.begin() + static_cast<std::ptrdiff_t>(inside.size()), all.end());
-    const bool is_new = cells.emplace(key_of(shape, list.cells[i].vertices), found).second;
-    EXPECT_TRUE(is_new) << "a cell is found twice";
-  }
-  return cells;
-}
-
-void expect_as_by_brute_force(const mesh::TetMesh& mesh, double quality) {
-  const TetGraph graph = graph_of(mesh);
-  const Candidates found = hybrid::candidates(graph, quality);
-  hybrid_tests::Oracle oracle(mesh);
-  const auto hexahedron = hybrid_tests::hexahedron_shape();
-  const auto prism = hybrid_tests::prism_shape();
-  const auto pyramid = hybrid_tests::pyramid_shape();
-  EXPECT_EQ(cells_of(hexahedron, found.hexahedra), oracle.cells(hexahedron, quality));
-  EXPECT_EQ(cells_of(prism, found.prisms), oracle.cells(prism, quality));
-  EXPECT_EQ(cells_of(pyramid, found.pyramids), oracle.cells(pyramid, quality));
-}
 
 struct Counts {
   unsigned n;
@@ -109,35 +78,7 @@ TEST(Candidates, AreThoseOfBruteForceOnLattices) {
 }
 
 TEST(Candidates, AreThoseOfBruteForceOnRandomDelaunayMeshes) {
-  std::mt19937_64 random(20261122);
-  for (int round = 0; round < 60; ++round) {
-    SCOPED_TRACE(round);
-    const std::size_t points = 9 + random() % 6;
-    const unsigned side = round % 2 == 0 ? 100 : 5;  // small: many points in one plane or sphere
-    expect_as_by_brute_force(random_delaunay(points, side, random), round % 3 == 0 ? 0 : 0.05);
-  }
-}
-
-bool operator_equal(const Candidates& a, const Candidates& b) {
-  const auto same = [](const auto& one, const auto& other) {
-    return one.tetrahedra == other.tetrahedra &&
-           std::equal(one.cells.begin(), one.cells.end(), other.cells.begin(), other.cells.end(),
-                      [](const auto& x, const auto& y) {
-                        return x.vertices == y.vertices && x.quality == y.quality &&
-                               x.first == y.first && x.inner == y.inner && x.flat == y.flat;
-                      });
-  };
-  return same(a.hexahedra, b.hexahedra) && same(a.prisms, b.prisms) && same(a.pyramids, b.pyramids);
-}
-
-TEST(Candidates, AreTheSameForAnyNumberOfThreads) {
-  std::mt19937_64 random(7);
-  const mesh::TetMesh mesh = random_delaunay(1500, 1U << 20U, random);
-  const TetGraph graph = graph_of(mesh);
-  const Candidates one = hybrid::candidates(graph, 0.2, 1);
-  EXPECT_GT(one.hexahedra.cells.size(), 5000U);
-  for (const int threads : {2, 3, 5})
-    EXPECT_TRUE(operator_equal(one, hybrid::candidates(graph, 0.2, threads))) << threads;
+  expect_as_by_brute_force_at_random(20261122, 12, 11);
 }
 
 /// The numbers of vertices and the order of tetrahedra have no say.

@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+"""Claim. `mesh hybrid` counts the candidates of Kuhn lattices as published, writes conforming meshes
+that the judge accepts with the boundary of the tetrahedra, in each format, the same bytes for any
+number of threads; and says in one line what is wrong with anything else.
+Oracle. `check --hybrid --boundary`; the published counts.
+"""
+import itertools
+import json
+import os
+import random
+
+import program
+
+CHANCE = random.Random(20261122)
+TIMES = ("seconds", "search_seconds", "threads")
+
+
+def kuhn(n):
+    points = [(i / n, j / n, k / n) for i in range(n + 1) for j in range(n + 1) for k in range(n + 1)]
+    number = {p: i for i, p in enumerate(itertools.product(range(n + 1), repeat=3))}
+    cells = []
+    for cube in itertools.product(range(n), repeat=3):
+        for axes in itertools.permutations(range(3)):
+            at = list(cube)
+            cell = [number[tuple(at)]]
+            for axis in axes:
+                at[axis] += 1
+                cell.append(number[tuple(at)])
+            if sum(a > b for a, b in itertools.combinations(axes, 2)) % 2:
+                cell[2], cell[3] = cell[3], cell[2]
+            cells.append(cell)
+    return points, cells
+
+
+def medit(points, cells, regions=None):
+    regions = regions or [1] * len(cells)
+    lines = ["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(points))]
+    lines += ["%r %r %r 0" % p for p in points]
+    lines += ["Tetrahedra", str(len(cells))]
+    lines += ["%d %d %d %d %d" % (*(v + 1 for v in c), r) for c, r in zip(cells, regions)]
+    return "\n".join(lines + ["End", ""])
+
+
+class MeshHybridTest(program.ProgramTest):
+    def counts(self, file, *options):
+        return json.loads(self.succeeds("mesh", "hybrid", file, "--count", "--json", *options).out)
+
+    def lattice(self, n):
+        return self.write(f"kuhn{n}.mesh", medit(*kuhn(n)))
+
+    def random_mesh(self):
+        self.write("points.xyz", "".join("%r %r %r\n" % tuple(CHANCE.random() for _ in range(3))
+                                         for _ in range(300)))
+        self.succeeds("mesh", "delaunay", "points.xyz", "-o", "tetrahedra.vtu")
+        return "tetrahedra.vtu"
+
+    def succeeds(self, *arguments):
+        return self.expect(0, self.hexatlas(*arguments))
+
+    def test_counts_of_lattices(self):
+        for n, numbers in {1: (1, 6, 6), 2: (68, 120, 72), 3: (453, 570, 270)}.items():
+            found = self.counts(self.lattice(n), "--quality", "1e-4")
+            self.assertEqual(tuple(found["candidates"].values()), numbers)
+            self.assertEqual(list(found["candidates"]), ["hexahedra", "prisms", "pyramids"])
+            self.assertEqual(sum(found["classes"].values()) + found["without_class"], numbers[0])
+            self.assertEqual((found["tetrahedra"], found["undecided"]), (6 * n ** 3, 0))
+
+    def test_cubes_of_a_lattice(self):
+        made = json.loads(
+            self.succeeds("mesh", "hybrid", self.lattice(3), "-o", "cubes.vtu", "--json").out)
+        self.assertEqual(made["selected"],
+                         {"hexahedra": 27, "prisms": 0, "pyramids": 0, "tetrahedra": 0})
+        self.assertEqual(made["volume_fraction"]["hexahedra"], 1)
+        self.succeeds("check", "cubes.vtu")
+
+    def test_each_format_is_accepted(self):
+        tetrahedra = self.random_mesh()
+        for extension in ("vtk", "vtu", "mesh", "msh"):
+            output = f"hybrid.{extension}"
+            made = json.loads(
+                self.succeeds("mesh", "hybrid", tetrahedra, "-o", output, "--json").out)
+            self.assertTrue(made["conforming"], made)
+            self.assertGreater(made["selected"]["hexahedra"], 0)
+            self.assertAlmostEqual(sum(made["volume_fraction"].values()), 1)
+            self.succeeds("check", "--hybrid", output, "--boundary", tetrahedra)
+        ran = self.succeeds("mesh", "hybrid", tetrahedra, "-o", "plain.vtk", "--no-conforming")
+        self.assertIn("not conforming", ran.out)
+        self.assertEqual(self.hexatlas("check", "--hybrid", "plain.vtk").code, 1)
+
+    def test_same_bytes_for_any_number_of_threads(self):
+        tetrahedra = self.random_mesh()
+        said = []
+        for threads in "12":
+            ran = self.succeeds("mesh", "hybrid", tetrahedra, "-o", threads + ".vtk",
+                                "--candidates", threads + ".txt", "-j", threads, "--json")
+            said.append({k: v for k, v in json.loads(ran.out).items() if k not in TIMES})
+        self.assertEqual(*said)
+        for extension in (".vtk", ".txt"):
+            self.assertEqual(self.read("1" + extension), self.read("2" + extension))
+        lines = self.read("1.txt").decode().splitlines()
+        numbers = list(said[0]["candidates"].values())
+        self.assertEqual(len(lines), 1 + sum(numbers))
+        self.assertEqual(lines[0].split()[3:], [str(n) for n in numbers])
+
+    def refuses(self, text, words):
+        self.write("bad.mesh", text)
+        ran = self.hexatlas("mesh", "hybrid", "bad.mesh", "-o", "none.vtu")
+        self.expect_fault(ran, "bad.mesh")
+        self.assertIn(words, ran.err)
+        self.assertFalse(os.path.exists(self.path("none.vtu")))
+
+    def test_bad_input(self):
+        points, cells = kuhn(1)
+        turned = [list(c) for c in cells]
+        turned[2][0], turned[2][1] = turned[2][1], turned[2][0]
+        self.refuses(medit(points, turned), "bad.mesh: tetrahedron 2 is inverted")
+        self.refuses(medit(points, cells + [[0, 1, 2, 3]]), "tetrahedron 6 has volume zero")
+        self.refuses(medit(points, cells + [cells[4]]), "tetrahedra 4 and 6 have the same vertices")
+        self.refuses(medit(points, cells + [[0, 1, 7, 9]]), "bad.mesh:")
+        hexahedra = "Hexahedra\n1\n1 2 4 3 5 6 8 7 0\nEnd"
+        self.refuses(medit(points, cells).replace("End", hexahedra), "bad.mesh:")
+
+    def test_regions(self):
+        points, cells = kuhn(1)
+        self.write("regions.mesh", medit(points, cells, [1, 1, 1, 2, 1, 1]))
+        self.assertEqual(self.counts("regions.mesh")["candidates"]["hexahedra"], 0)
+
+    def test_wrong_use(self):
+        file = self.lattice(1)
+        for options in ([], ["--count", "-o", "x.vtu"], ["--count", "--quality", "1"], ["-o", file]):
+            self.assertEqual(self.hexatlas("mesh", "hybrid", file, *options).code, 2, options)
+        self.assertEqual(self.hexatlas("mesh", "hybrid", "none.mesh", "--count").code, 3)
+
+
+if __name__ == "__main__":
+    program.main()
