@@ -150,6 +150,53 @@ TEST(JacobianFilter, NeverContradictsIntegers) {
   for (const int count : seen) EXPECT_GT(count, 50);
 }
 
+/// Subdivision in double precision: the verdict of the integers at the same depth, or none.
+TEST(JacobianFilter, SubdivisionAgreesWithIntegers) {
+  std::mt19937_64 random(20261132);
+  std::array<int, 3> seen{};
+  int open = 0;
+  for (int trial = 0; trial < 1200; ++trial) {
+    const Hexahedron h = moved_cube(6, 2 + trial % 4, random);
+    for (const int depth : {0, 1, 3}) {
+      const JacobianVerdict verdict = exact::exact_jacobian_verdict(h, depth);
+      const int exponent = std::array{0, -280, 280}[trial % 3U];
+      for (const Hexahedron& cell : {scaled(h, exponent), sheared(h, random)}) {
+        const auto subdivided = exact::subdivided_jacobian_verdict(cell, depth);
+        open += subdivided ? 0 : 1;
+        if (subdivided) {
+          ASSERT_EQ(*subdivided, verdict);
+        }
+      }
+      ++seen[static_cast<std::size_t>(verdict.positivity)];
+    }
+  }
+  for (const int count : seen) EXPECT_GT(count, 20);
+  EXPECT_LT(open, 1200);  // zeros, above all
+}
+
+/// Corners with scaled Jacobian 3/5, which no double is: the doubles beside it are told apart.
+TEST(JacobianFilter, CornersExceedAThreshold) {
+  std::mt19937_64 random(20261133);
+  Hexahedron h = moved_cube(1, 0, random);
+  for (auto& p : h) p = {p.x + 4 * p.z, p.y, 3 * p.z};
+  const double below = 0.6;  // by 2e-17
+  const double above = std::nextafter(below, 1);
+  for (const int exponent : {0, -1074, 900}) {
+    EXPECT_TRUE(exact::corners_exceed(scaled(h, exponent), below));
+    EXPECT_FALSE(exact::corners_exceed(scaled(h, exponent), above));
+  }
+  EXPECT_TRUE(exact::corners_exceed(h, 0));
+  Hexahedron half = moved_cube(2, 0, random);  // all edges at right angles but one corner
+  half[7] = {2, 2, 4};                         // 1/2 there, exactly
+  EXPECT_FALSE(exact::corners_exceed(half, 0.5));
+  EXPECT_TRUE(exact::corners_exceed(half, std::nextafter(0.5, 0)));
+  for (auto& p : h) p.z = -p.z;
+  EXPECT_FALSE(exact::corners_exceed(h, 0));
+  for (auto& p : h) p.z = 0;
+  EXPECT_FALSE(exact::corners_exceed(h, 0));
+  EXPECT_THROW((void)exact::corners_exceed(h, 1), core::PreconditionViolated);
+}
+
 std::vector<Hexahedron> all_sorts() {
   std::mt19937_64 random(20261129);
   std::vector<Hexahedron> result;
