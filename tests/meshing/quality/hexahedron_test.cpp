@@ -118,7 +118,6 @@ TEST(Hexahedron, InvertedMeansACorner) {
   const quality::Verdict verdict = quality::verdict_of_hexahedron(*inside);
   EXPECT_EQ(verdict.validity, Validity::invalid);
   EXPECT_FALSE(verdict.inverted);
-  EXPECT_TRUE(verdict.exact);
 }
 
 TEST(Hexahedron, AgreesWithSamples) {

@@ -140,7 +140,7 @@ TEST(PrismJacobian, AgreesWithTheLeastValue) {
   int valid = 0;
   int refuted_inside = 0;
   int filtered = 0;
-  for (int trial = 0; trial < 4000; ++trial) {
+  for (int trial = 0; trial < 1600; ++trial) {
     const Prism prism = moved(kPrism, trial % 9, 1 + trial % 6, random);
     const Least least = least_jacobian(prism);
     const JacobianVerdict verdict = verdict_of(prism);
@@ -151,15 +151,15 @@ TEST(PrismJacobian, AgreesWithTheLeastValue) {
     filtered += exact::filtered_jacobian_verdict(prism) ? 1 : 0;
     if (trial % 8 == 0) expect_same_at_all_scales(prism, verdict);
   }
-  EXPECT_GT(valid, 400);
-  EXPECT_GT(refuted_inside, 20);
-  EXPECT_GT(filtered, 3000);
+  EXPECT_GT(valid, 160);
+  EXPECT_GT(refuted_inside, 8);
+  EXPECT_GT(filtered, 1200);
 }
 
 /// The least value is on a lateral edge: no point of the prism has a smaller one.
 TEST(PrismJacobian, IsLeastOnLateralEdges) {
   std::mt19937_64 random(20261124);
-  for (int trial = 0; trial < 300; ++trial) {
+  for (int trial = 0; trial < 100; ++trial) {
     const Prism prism = moved(kPrism, 6, 5, random);
     const Rational least = least_jacobian(prism).edge;
     for (int sample = 0; sample < 40; ++sample) {
@@ -213,7 +213,7 @@ TEST(PyramidJacobian, AgreesWithRationalPoints) {
   std::mt19937_64 random(20261125);
   int valid = 0;
   int filtered = 0;
-  for (int trial = 0; trial < 1000; ++trial) {
+  for (int trial = 0; trial < 400; ++trial) {
     const Pyramid pyramid = moved(kPyramid, 2 * (trial % 6), 1 + trial % 5, random);
     bool positive = true;
     for (int place = 0; place < 50; ++place) {
@@ -232,8 +232,8 @@ TEST(PyramidJacobian, AgreesWithRationalPoints) {
     filtered += exact::filtered_jacobian_verdict(pyramid) ? 1 : 0;
     if (trial % 8 == 0) expect_same_at_all_scales(pyramid, verdict);
   }
-  EXPECT_GT(valid, 150);
-  EXPECT_GT(filtered, 500);
+  EXPECT_GT(valid, 60);
+  EXPECT_GT(filtered, 200);
 }
 
 TEST(PyramidJacobian, KnownShapes) {
