@@ -115,7 +115,7 @@ void add_check(CLI::App& app, Action& action) {
       ->add_option(
           "--points", options->points,
           "With --delaunay: file whose points the mesh must have, in the same order (.xyz, "
-          ".bin of doubles, or a mesh)")
+          ".bin of doubles, .ply, .obj, .off, or a mesh)")
       ->needs(delaunay);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(

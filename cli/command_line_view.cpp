@@ -87,9 +87,10 @@ void add_view(CLI::App& app, Action& action) {
   auto options = std::make_shared<ViewOptions>();
   ViewState& state = options->state;
   command
-      ->add_option("MESH", options->input,
-                   "Hexahedral mesh or surface of triangles and quads: .vtu .vtk .mesh .msh .obj "
-                   ".off, or - for standard input")
+      ->add_option(
+          "MESH", options->input,
+          "Hexahedral or hybrid mesh or surface of triangles and quads: .vtu .vtk .mesh .msh .obj "
+          ".off, or - for standard input")
       ->required();
   command->add_option("-o,--output", options->output,
                       "Page to write (.html), or - for standard output");
@@ -105,11 +106,14 @@ void add_view(CLI::App& app, Action& action) {
   command->add_option("--shrink", state.shrink, "Shrink each cell towards its centre by this part")
       ->check(CLI::Range(0.0, 0.9))
       ->capture_default_str();
-  command->add_option("--peel", state.peel, "Take off so many layers of hexahedra")
+  command->add_option("--peel", state.peel, "Take off so many layers of cells")
       ->check(CLI::Range(0U, 1'000'000'000U))
       ->capture_default_str();
-  command->add_option("--colour", state.colour, "jacobian, layer or none [jacobian]")
-      ->check(CLI::IsMember({"jacobian", "layer", "none"}))
+  command
+      ->add_option(
+          "--colour", state.colour,
+          "jacobian, layer or none [jacobian]; of a hybrid mesh shape, layer or none [shape]")
+      ->check(CLI::IsMember({"jacobian", "shape", "layer", "none"}))
       ->type_name("WORD");
   command
       ->add_option("--singular", state.singular,

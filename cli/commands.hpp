@@ -96,7 +96,8 @@ struct SimplifyOptions {
 
 /// How `view` begins; on the page all of it can be changed.
 struct ViewState {
-  std::string colour;  ///< jacobian, layer or none; empty: jacobian where there are hexahedra
+  std::string
+      colour;  ///< jacobian, shape, layer, none; empty: jacobian of hexahedra, shape of mixed
   bool is_sliced = false, is_flipped = false;
   std::string slice_axis = "x";
   double slice_at = 0.5;  ///< fraction of the box

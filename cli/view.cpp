@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "cli/commands.hpp"
@@ -17,19 +18,21 @@
 namespace hexatlas::cli {
 namespace {
 
-using AnyMesh = std::variant<mesh::HexMesh, mesh::FacetMesh>;
+using AnyMesh = std::variant<mesh::HexMesh, mesh::HybridMesh, mesh::FacetMesh>;
 
-/// The hexahedra of the file, or, if it has none, its triangles and quads. Of a file that has
-/// neither the first refusal is told.
+/// The cells of dimension 3 of the file, or, if it has none, its triangles and quads. Of a file
+/// that has neither the first refusal is told.
 AnyMesh read_any(const ViewOptions& options) {
   const bool is_stream = options.input == "-";
   const std::string file = is_stream ? "standard input" : options.input;
   const auto known = is_stream ? std::optional<io::FileFormat>() : io::format_of_path(file);
   const std::string bytes = core::read_file(options.input);
   const io::FileFormat format = known ? *known : io::detect_format(bytes, file);
-  if (!io::holds_hexahedra(format)) return io::parse_facets(bytes, format, file);
+  if (!io::holds(format, io::Content::hybrid)) return io::parse_facets(bytes, format, file);
   try {
-    return io::parse_hexahedra(bytes, format, file);
+    mesh::HybridMesh mesh = io::parse_hybrid(bytes, format, file);
+    if (!mesh.tetrahedra.empty() || !mesh.prisms.empty() || !mesh.pyramids.empty()) return mesh;
+    return mesh::HexMesh{std::move(mesh.points), std::move(mesh.hexahedra)};
   } catch (const core::InvalidInput&) {
     try {
       return io::parse_facets(bytes, format, file);
@@ -48,8 +51,15 @@ ExitCode wrong_use(const std::string& reason) {
 std::string contradiction(const ViewOptions& options, const AnyMesh& mesh, const Page& page) {
   const ViewState& state = options.state;
   const bool is_surface = std::holds_alternative<mesh::FacetMesh>(mesh);
+  const bool is_hybrid = std::holds_alternative<mesh::HybridMesh>(mesh);
   if (is_surface && !state.colour.empty() && state.colour != "none")
-    return "--colour " + state.colour + " is for hexahedra, and the mesh has none";
+    return "--colour " + state.colour + " is for cells in space, and the mesh is a surface";
+  if (is_hybrid && state.colour == "jacobian")
+    return "--colour jacobian is for meshes of hexahedra alone";
+  if (!is_hybrid && state.colour == "shape")
+    return "--colour shape is for meshes of several shapes";
+  if (is_hybrid && state.singular != "none")
+    return "--singular is for meshes of hexahedra alone, or surfaces";
   if (state.peel >= page.layers)
     return fmt::format("--peel {} leaves nothing of a mesh with {}", state.peel,
                        counted(page.layers, "layer", "layers"));

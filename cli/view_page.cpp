@@ -202,6 +202,41 @@ Page page_of(const mesh::HexMesh& mesh, const PageRequest& request) {
           count, depth};
 }
 
+Page page_of(const mesh::HybridMesh& mesh, const PageRequest& request) {
+  const view::Solids solids = view::solids_of(mesh);
+  const view::Neighbours neighbours = view::neighbours_of(solids);
+  const std::vector<std::uint32_t> layers = view::layers_of(neighbours);
+  const view::VertexCounts vertices = view::count_vertices(solids, neighbours);
+  const std::size_t depth = std::size_t{*std::max_element(layers.begin(), layers.end())} + 1;
+
+  const Frame frame = frame_of(mesh.points, solids.corners);
+  Json json = about(request, "hybrid", frame);
+  json["layers"] = depth;
+  json["counts"] = {{"tetrahedra", mesh.tetrahedra.size()},
+                    {"hexahedra", mesh.hexahedra.size()},
+                    {"prisms", mesh.prisms.size()},
+                    {"pyramids", mesh.pyramids.size()},
+                    {"vertices", vertices.used},
+                    {"interior", vertices.interior}};
+  json["state"] = json_of(request.state, "shape");
+  Data data;
+  add_points(data, mesh.points, frame);
+  data.add<std::uint32_t>("cells", flat(solids.corners));
+  data.add<std::uint8_t>("shapes", solids.shapes);
+  data.add<std::uint32_t>("neighbours", flat(neighbours));
+  data.add<std::uint32_t>("layers", layers);
+  data.add_edges({});
+  return {assembled(json, data),
+          fmt::format("{}, {}, {}, {} in {}, {} ({} interior)",
+                      counted(mesh.tetrahedra.size(), "tetrahedron", "tetrahedra"),
+                      counted(mesh.hexahedra.size(), "hexahedron", "hexahedra"),
+                      counted(mesh.prisms.size(), "prism", "prisms"),
+                      counted(mesh.pyramids.size(), "pyramid", "pyramids"),
+                      counted(depth, "layer", "layers"),
+                      counted(vertices.used, "vertex", "vertices"), vertices.interior),
+          solids.corners.size(), depth};
+}
+
 Page page_of(const mesh::FacetMesh& surface, const PageRequest& request) {
   std::vector<std::array<mesh::Index, 4>> cells;
   std::vector<bool> is_used(surface.points.size());

@@ -41,6 +41,7 @@ struct Page {
 
 /// Requires: page_parts() are there.
 [[nodiscard]] Page page_of(const mesh::HexMesh& mesh, const PageRequest& request);
+[[nodiscard]] Page page_of(const mesh::HybridMesh& mesh, const PageRequest& request);
 [[nodiscard]] Page page_of(const mesh::FacetMesh& surface, const PageRequest& request);
 
 }  // namespace hexatlas::cli

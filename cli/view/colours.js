@@ -10,6 +10,13 @@ const DEPTH = [
   [0, 0xf3, 0xe5, 0xa1], [0.33, 0xa9, 0xc4, 0x8f], [0.67, 0x4f, 0x8f, 0x93], [1, 0x2d, 0x4a, 0x7a],
 ];
 
+// Shapes, as SHAPES has them: light enough for their edges, apart for all common kinds of colour blindness.
+const SHAPE_COLOURS = [[0xe6, 0x9f, 0x53], [0x9c, 0xc6, 0xe6], [0x6f, 0xb9, 0x9b], [0xd2, 0x8c, 0xb8]];
+
+export function shapeColour(shape) {
+  return SHAPE_COLOURS[shape];
+}
+
 export const PLAIN = [0xc3, 0xd0, 0xdc];
 
 function between(stops, value) {
@@ -50,6 +57,7 @@ export function cellColours(mesh, way) {
   for (let cell = 0; cell < mesh.count; ++cell) {
     let colour = PLAIN;
     if (way === 'jacobian') colour = jacobianColour(mesh.jacobians[cell]);
+    else if (way === 'shape') colour = shapeColour(mesh.shapes[cell]);
     else if (way === 'layer') colour = layerColour(mesh.layers[cell], deepest);
     colours.set(colour, 3 * cell);
   }

@@ -58,15 +58,17 @@ export class Facets {
   /** Lists the facets that nothing shown hides; of cells apart, all. */
   choose(isApart) {
     const { mesh, shown } = this;
-    const sides = mesh.facets.length;
+    const { sides } = mesh;
     if (this.list.length === 0) this.list = new Uint32Array(mesh.count * sides);
     let count = 0;
-    for (let cell = 0, at = 0; cell < mesh.count; ++cell)
-      for (let f = 0; f < sides; ++f, ++at) {
-        if (shown[cell] === 0) continue;
+    for (let cell = 0; cell < mesh.count; ++cell) {
+      if (shown[cell] === 0) continue;
+      const end = sides * cell + mesh.shapeOf(cell).facets.length;
+      for (let at = sides * cell; at < end; ++at) {
         const other = mesh.neighbours[at];
         if (isApart || other === NOBODY || shown[other] === 0) this.list[count++] = at;
       }
+    }
     this.count = count;
     if (this.arrays === null || count > this.arrays.capacity) {
       this.arrays = arraysFor(Math.max(count, 64, Math.min(2 * count, mesh.count * sides)));
@@ -79,11 +81,11 @@ export class Facets {
   place(shrink, explode) {
     const { mesh, arrays } = this;
     const { points, cells, centres, corners } = mesh;
-    const sides = mesh.facets.length;
+    const { sides } = mesh;
     const kept = 1 - shrink;
     for (let i = 0; i < this.count; ++i) {
       const cell = Math.floor(this.list[i] / sides);
-      const facet = mesh.facets[this.list[i] % sides];
+      const facet = mesh.shapeOf(cell).facets[this.list[i] % sides];
       const first = corners * cell;
       for (let j = 0; j < 4; ++j) {
         const v = 3 * cells[first + facet[j]];
@@ -101,7 +103,7 @@ export class Facets {
   }
 
   paint(colours) {
-    const sides = this.mesh.facets.length;
+    const { sides } = this.mesh;
     const { colour } = this.arrays;
     for (let i = 0; i < this.count; ++i) {
       const at = 3 * Math.floor(this.list[i] / sides);
@@ -116,6 +118,6 @@ export class Facets {
 
   /** The cell of a triangle of the geometry. */
   cellOfTriangle(triangle) {
-    return Math.floor(this.list[Math.floor(triangle / 2)] / this.mesh.facets.length);
+    return Math.floor(this.list[Math.floor(triangle / 2)] / this.mesh.sides);
   }
 }

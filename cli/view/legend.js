@@ -1,6 +1,7 @@
 // What the colours mean: a histogram of scaled Jacobians above its colours, the layers, the valences.
-import { css, jacobianColour, layerColour, valenceColour } from './colours.js';
+import { css, jacobianColour, layerColour, shapeColour, valenceColour } from './colours.js';
 import { grouped, html, number, svg } from './dom.js';
+import { SHAPES } from './mesh.js';
 
 const WIDTH = 264;
 const HEIGHT = 56;
@@ -66,12 +67,19 @@ function layerLegend(mesh) {
   for (let layer = 0; layer <= deepest; layer += step)
     rows.push(swatch(css(layerColour(layer, deepest)), `${layer}`, html('span', {}, grouped(sizes.get(layer) ?? 0))));
   return [
-    html('p', { class: 'legend-title' }, 'Layer, and its hexahedra'),
+    html('p', { class: 'legend-title' }, mesh.isHybrid ? 'Layer, and its cells' : 'Layer, and its hexahedra'),
     html('ul', { class: 'swatches' }, ...rows),
   ];
 }
 
+function shapeLegend({ about }) {
+  const rows = SHAPES.map(({ plural }, shape) => [plural, shape]).filter(([plural]) => about.counts[plural] > 0)
+    .map(([plural, shape]) => swatch(css(shapeColour(shape)), plural, html('span', {}, grouped(about.counts[plural]))));
+  return [html('p', { class: 'legend-title' }, 'Shape'), html('ul', { class: 'swatches' }, ...rows)];
+}
+
 export function colourLegend(mesh, way) {
+  if (way === 'shape') return shapeLegend(mesh);
   if (way === 'jacobian') return jacobianLegend(mesh);
   return way === 'layer' ? layerLegend(mesh) : [];
 }

@@ -19,11 +19,12 @@ function wanted(mesh, isInterior, isBoundary) {
 }
 
 /** For each point, the mean of the centres of the cells that have it. */
-function meansAround({ points, cells, corners, centres }) {
+function meansAround({ points, cells, corners, centres, shapeOf }) {
   const sums = new Float32Array(points.length);
   const counts = new Uint32Array(points.length / 3);
   cells.forEach((v, at) => {
     const cell = Math.floor(at / corners);
+    if (at % corners >= shapeOf(cell).corners) return;
     for (let k = 0; k < 3; ++k) sums[3 * v + k] += centres[3 * cell + k];
     ++counts[v];
   });
@@ -87,13 +88,14 @@ export class SingularEdges {
 
 /** Free facets as triangles, for the search of their sharp edges. */
 function freeFacets(mesh) {
-  const sides = mesh.facets.length;
+  const { sides } = mesh;
   const index = [];
   for (let at = 0; at < mesh.neighbours.length; ++at) {
     if (mesh.neighbours[at] !== NOBODY) continue;
     if (index.length >= 6 * MOST_OUTLINED) return null;
-    const first = mesh.corners * Math.floor(at / sides);
-    const [a, b, c, d] = mesh.facets[at % sides].map((corner) => mesh.cells[first + corner]);
+    const cell = Math.floor(at / sides);
+    const first = mesh.corners * cell;
+    const [a, b, c, d] = mesh.shapeOf(cell).facets[at % sides].map((corner) => mesh.cells[first + corner]);
     index.push(a, b, c);
     if (c !== d) index.push(a, c, d);
   }

@@ -10,7 +10,10 @@ function countRows({ kind, counts }) {
   const rows = kind === 'hexahedra'
     ? [['Hexahedra', counts.hexahedra], ['Vertices', counts.vertices], ['of them interior', counts.interior],
       ['Proven valid', counts.valid], ['Inverted', counts.inverted]]
-    : [['Quads', counts.quads], ['Triangles', counts.triangles], ['Vertices', counts.vertices]];
+    : kind === 'hybrid'
+      ? [['Tetrahedra', counts.tetrahedra], ['Hexahedra', counts.hexahedra], ['Prisms', counts.prisms],
+        ['Pyramids', counts.pyramids], ['Vertices', counts.vertices], ['of them interior', counts.interior]]
+      : [['Quads', counts.quads], ['Triangles', counts.triangles], ['Vertices', counts.vertices]];
   if (counts.undecided > 0) rows.push(['Undecided', counts.undecided]);
   return rows.flatMap(([word, count]) => [html('dt', {}, word), html('dd', {}, grouped(count))]);
 }
@@ -19,7 +22,9 @@ function countRows({ kind, counts }) {
 function cellWords(mesh, cell) {
   const first = mesh.corners * cell;
   const vertices = [...new Set(mesh.cells.subarray(first, first + mesh.corners))];
-  const words = `${mesh.isSolid ? 'Hexahedron' : 'Facet'} ${cell}`;
+  const { name } = mesh.shapeOf(cell);
+  const words = `${name[0].toUpperCase()}${name.slice(1)} ${cell}`;
+  if (mesh.isHybrid) return `${words}, layer ${mesh.layers[cell]}; vertices ${vertices.join(' ')}`;
   if (!mesh.isSolid) return `${words}; vertices ${vertices.join(' ')}`;
   const jacobian = number(mesh.jacobians[cell], 4);
   return `${words}: ${statusWord(mesh, cell)}, scaled Jacobian ${jacobian}, layer ${mesh.layers[cell]}; ` +
@@ -43,13 +48,16 @@ export class Panel {
     byId('counts').replaceChildren(...countRows(mesh.about));
     this.hideWhatDoesNotApply();
     this.bind();
-    if (mesh.isSolid) fillWorst(mesh, (cell) => this.select(cell === state.selected ? -1 : cell));
+    if (mesh.hasQuality) fillWorst(mesh, (cell) => this.select(cell === state.selected ? -1 : cell));
     view.afterUpdate.push(() => this.show());
   }
 
   hideWhatDoesNotApply() {
     const { mesh } = this;
     for (const element of document.querySelectorAll('.solid-only')) element.hidden = !mesh.isSolid;
+    for (const element of document.querySelectorAll('.quality-only')) element.hidden = !mesh.hasQuality;
+    for (const element of document.querySelectorAll('.hybrid-only')) element.hidden = !mesh.isHybrid;
+    for (const element of document.querySelectorAll('.not-hybrid')) element.hidden = mesh.isHybrid;
     byId('peel').max = mesh.about.layers - 1;
     byId('peel').disabled = mesh.about.layers < 2;
     byId('singular-title').textContent = mesh.isSolid ? 'Singular edges' : 'Edges not in two facets';
@@ -109,7 +117,7 @@ export class Panel {
     byId('singular-interior').checked = state.singular.interior;
     byId('singular-boundary').checked = state.singular.boundary;
     byId('outline').checked = state.outline;
-    const unit = mesh.isSolid ? 'hexahedra' : 'facets';
+    const unit = mesh.isHybrid ? 'cells' : mesh.shapeOf(0).plural;
     byId('shown').textContent = `${grouped(this.view.shownCount)} of ${grouped(mesh.count)} ${unit} shown`;
     byId('all').hidden = state.selected < 0;
     byId('cell').textContent = state.selected < 0 ? '' : cellWords(mesh, state.selected);

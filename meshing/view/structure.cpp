@@ -31,27 +31,48 @@ struct FacetOfCell {
   std::uint32_t facet = 0;
 };
 
-void expect_indices(const mesh::HexMesh& mesh) {
-  for (const auto& cell : mesh.hexahedra)
-    for (const Index v : cell)
-      core::expects(v < mesh.points.size(), "view: index of a point out of range");
+template <class Cells>
+void expect_indices(const Cells& cells, std::size_t points) {
+  for (const auto& cell : cells)
+    for (const Index v : cell) core::expects(v < points, "view: index of a point out of range");
 }
 
-std::vector<FacetOfCell> sorted_facets(const mesh::HexMesh& mesh) {
-  std::vector<FacetOfCell> facets;
-  facets.reserve(mesh.hexahedra.size() * cells::kCubeFacets);
-  for (std::uint32_t cell = 0; cell < mesh.hexahedra.size(); ++cell)
-    for (std::uint32_t f = 0; f < cells::kCubeFacets; ++f) {
-      FacetOfCell& facet = facets.emplace_back(FacetOfCell{{}, cell, f});
-      std::transform(cells::kFacetVertices[f].begin(), cells::kFacetVertices[f].end(),
-                     facet.key.begin(),
-                     [&](cells::CubeVertex corner) { return mesh.hexahedra[cell][corner]; });
-      std::sort(facet.key.begin(), facet.key.end());
-    }
+void expect_indices(const mesh::HexMesh& mesh) {
+  expect_indices(mesh.hexahedra, mesh.points.size());
+}
+
+using Facet = std::array<std::uint8_t, 4>;
+constexpr std::array<Facet, 4> kTetrahedronFacets{
+    {{1, 2, 3, 3}, {0, 3, 2, 2}, {0, 1, 3, 3}, {0, 2, 1, 1}}};
+constexpr std::array<Facet, 5> kPrismFacets{
+    {{0, 2, 1, 1}, {3, 4, 5, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
+constexpr std::array<Facet, 5> kPyramidFacets{
+    {{0, 3, 2, 1}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}}};
+
+/// The vertices, ascending; what a triangle, or a facet with a vertex twice, lacks is kNobody.
+template <class Cell>
+std::array<Index, 4> key_of(const Cell& cell, const Facet& facet) {
+  std::array<Index, 4> key{};
+  std::transform(facet.begin(), facet.end(), key.begin(),
+                 [&](std::uint8_t corner) { return cell[corner]; });
+  std::sort(key.begin(), key.end());
+  const auto* const end = std::unique(key.begin(), key.end());
+  std::fill(key.begin() + (end - key.begin()), key.end(), kNobody);
+  return key;
+}
+
+/// Neighbours from facets in any order; `neighbours` has a row for each cell.
+void connect(std::vector<FacetOfCell> facets, Neighbours& neighbours) {
   std::sort(facets.begin(), facets.end(), [](const FacetOfCell& x, const FacetOfCell& y) {
     return std::tie(x.key, x.cell, x.facet) < std::tie(y.key, y.cell, y.facet);
   });
-  return facets;
+  for (std::size_t begin = 0, end = 0; begin < facets.size(); begin = end) {
+    while (end < facets.size() && facets[end].key == facets[begin].key) ++end;
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t next = i + 1 < end ? i + 1 : begin;
+      neighbours[facets[i].cell][facets[i].facet] = next == i ? kNobody : facets[next].cell;
+    }
+  }
 }
 
 /// One edge of one cell: the same edge comes once for each cell that has it.
@@ -128,19 +149,68 @@ std::vector<Place> places_of(const mesh::HexMesh& mesh, const Neighbours& neighb
   return place;
 }
 
+VertexCounts count(const std::vector<Place>& place) {
+  const auto interiors = std::count(place.begin(), place.end(), Place::interior);
+  const auto idle = std::count(place.begin(), place.end(), Place::unused);
+  return {place.size() - static_cast<std::size_t>(idle), static_cast<std::size_t>(interiors)};
+}
+
 }  // namespace
 
 Neighbours neighbours_of(const mesh::HexMesh& mesh) {
   expect_indices(mesh);
+  std::vector<FacetOfCell> facets;
+  facets.reserve(mesh.hexahedra.size() * cells::kCubeFacets);
+  for (std::uint32_t cell = 0; cell < mesh.hexahedra.size(); ++cell)
+    for (std::uint32_t f = 0; f < cells::kCubeFacets; ++f)
+      facets.push_back({key_of(mesh.hexahedra[cell], cells::kFacetVertices[f]), cell, f});
   Neighbours neighbours(mesh.hexahedra.size());
-  const std::vector<FacetOfCell> facets = sorted_facets(mesh);
-  for (std::size_t begin = 0, end = 0; begin < facets.size(); begin = end) {
-    while (end < facets.size() && facets[end].key == facets[begin].key) ++end;
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::size_t next = i + 1 < end ? i + 1 : begin;
-      neighbours[facets[i].cell][facets[i].facet] = next == i ? kNobody : facets[next].cell;
+  connect(std::move(facets), neighbours);
+  return neighbours;
+}
+
+Solids solids_of(const mesh::HybridMesh& mesh) {
+  Solids solids{mesh.points.size(), {}, {}};
+  const auto add = [&](Shape shape, const auto& cells) {
+    for (const auto& cell : cells) {
+      solids.shapes.push_back(shape);
+      auto& corners = solids.corners.emplace_back();
+      corners.fill(cell.back());
+      std::copy(cell.begin(), cell.end(), corners.begin());
     }
+  };
+  add(Shape::tetrahedron, mesh.tetrahedra);
+  add(Shape::hexahedron, mesh.hexahedra);
+  add(Shape::prism, mesh.prisms);
+  add(Shape::pyramid, mesh.pyramids);
+  expect_indices(solids.corners, solids.points);
+  return solids;
+}
+
+std::span<const std::array<std::uint8_t, 4>> facets_of(Shape shape) {
+  switch (shape) {
+    case Shape::tetrahedron:
+      return kTetrahedronFacets;
+    case Shape::hexahedron:
+      return cells::kFacetVertices;
+    case Shape::prism:
+      return kPrismFacets;
+    case Shape::pyramid:
+      break;
   }
+  return kPyramidFacets;
+}
+
+Neighbours neighbours_of(const Solids& solids) {
+  Neighbours neighbours(solids.corners.size());
+  std::vector<FacetOfCell> facets;
+  for (std::uint32_t cell = 0; cell < neighbours.size(); ++cell) {
+    neighbours[cell].fill(cell);
+    const auto own = facets_of(solids.shapes[cell]);
+    for (std::uint32_t f = 0; f < own.size(); ++f)
+      facets.push_back({key_of(solids.corners[cell], own[f]), cell, f});
+  }
+  connect(std::move(facets), neighbours);
   return neighbours;
 }
 
@@ -180,16 +250,29 @@ std::vector<Edge> singular_edges(const mesh::FacetMesh& surface) {
 }
 
 VertexCounts count_vertices(const mesh::HexMesh& mesh, const Neighbours& neighbours) {
-  const std::vector<Place> place = places_of(mesh, neighbours);
-  const auto interiors = std::count(place.begin(), place.end(), Place::interior);
-  const auto idle = std::count(place.begin(), place.end(), Place::unused);
-  return {mesh.points.size() - static_cast<std::size_t>(idle), static_cast<std::size_t>(interiors)};
+  return count(places_of(mesh, neighbours));
+}
+
+VertexCounts count_vertices(const Solids& solids, const Neighbours& neighbours) {
+  core::expects(neighbours.size() == solids.corners.size(), "view: neighbours are of this mesh");
+  std::vector<Place> place(solids.points, Place::unused);
+  for (std::size_t cell = 0; cell < neighbours.size(); ++cell) {
+    const auto mark = [&](std::uint8_t corner, Place here) {
+      Place& known = place[solids.corners[cell][corner]];
+      known = std::max(known, here);
+    };
+    const auto own = facets_of(solids.shapes[cell]);
+    for (std::size_t f = 0; f < own.size(); ++f)
+      for (const std::uint8_t corner : own[f])
+        mark(corner, neighbours[cell][f] == kNobody ? Place::boundary : Place::interior);
+  }
+  return count(place);
 }
 
 InteriorValences interior_valences(const mesh::HexMesh& mesh, const Neighbours& neighbours) {
   InteriorValences result;
-  for (const Edge& edge : edges_of(uses_of_edges(mesh, neighbours),
-                                   [](const Edge& one) { return !one.is_boundary; }))
+  for (const Edge& edge :
+       edges_of(uses_of_edges(mesh, neighbours), [](const Edge& one) { return !one.is_boundary; }))
     ++result.edges[edge.valence];
   std::vector<std::uint32_t> around(mesh.points.size(), 0);
   for (const auto& cell : mesh.hexahedra)

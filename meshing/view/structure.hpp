@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// What a picture or a report of a hexahedral mesh needs to know of its combinatorics: which
-/// hexahedra are behind which facets, how deep each one lies, which edges are singular, and how
-/// many hexahedra are around interior edges and vertices.
+/// What a picture or a report of a hexahedral or hybrid mesh needs to know of its combinatorics:
+/// which hexahedra are behind which facets, how deep each one lies, which edges are singular, and
+/// how many hexahedra are around interior edges and vertices.
 ///
 /// Definitions. Two facets are the same if their four vertices are. A facet is *free* if it is in
 /// one hexahedron only; an edge or a vertex is *on the boundary* if a free facet has it, otherwise
@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "enum/cells/cube.hpp"
@@ -35,6 +36,25 @@ inline constexpr std::uint32_t kNobody = 0xFFFF'FFFFU;
 /// facet. Of a facet in more than two hexahedra, they follow each other in a circle.
 using Neighbours = std::vector<std::array<std::uint32_t, cells::kCubeFacets>>;
 [[nodiscard]] Neighbours neighbours_of(const mesh::HexMesh& mesh);
+
+enum class Shape : std::uint8_t { tetrahedron, hexahedron, prism, pyramid };
+
+/// The cells of a hybrid mesh in one list: tetrahedra, hexahedra, prisms, pyramids. Each has places
+/// for eight corners; those beyond its own repeat its last one.
+struct Solids {
+  std::size_t points = 0;
+  std::vector<Shape> shapes;
+  std::vector<std::array<mesh::Index, 8>> corners;
+};
+[[nodiscard]] Solids solids_of(const mesh::HybridMesh& mesh);
+
+/// The facets of a shape as places of corners, counterclockwise seen from outside; a triangle
+/// repeats its last corner. Those of a hexahedron are in the order of the cube.
+[[nodiscard]] std::span<const std::array<std::uint8_t, 4>> facets_of(Shape shape);
+
+/// The same as for hexahedra; on the places beyond the facets of its shape a cell is its own
+/// neighbour.
+[[nodiscard]] Neighbours neighbours_of(const Solids& solids);
 
 /// The layer of each hexahedron. Those that no way leads to from the boundary, in a mesh without
 /// free facets, are in layer 0.
@@ -56,10 +76,12 @@ struct Edge {
 [[nodiscard]] std::vector<Edge> singular_edges(const mesh::FacetMesh& surface);
 
 struct VertexCounts {
-  std::size_t used = 0;      ///< in some hexahedron
+  std::size_t used = 0;      ///< in some cell
   std::size_t interior = 0;  ///< used, and not on the boundary
 };
 [[nodiscard]] VertexCounts count_vertices(const mesh::HexMesh& mesh, const Neighbours& neighbours);
+/// Requires the neighbours of these solids.
+[[nodiscard]] VertexCounts count_vertices(const Solids& solids, const Neighbours& neighbours);
 
 /// For each number of hexahedra, how many interior edges, and how many interior vertices, are in so
 /// many; numbers that do not occur are left out.

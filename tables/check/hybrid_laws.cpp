@@ -105,11 +105,27 @@ std::vector<Wedge> sorted_wedges(const std::vector<HybridCell>& cells) {
 /// Whether the half-plane from the edge through x is in the wedge, of which the first half-plane is
 /// a part and the last one is not. The angle of the wedge is less than pi, as the cell is positive.
 bool contains(const Wedge& wedge, std::uint32_t x, const std::vector<Point>& points, Signs& signs) {
+  if (x == wedge.to) return false;
   const auto side_of = [&](std::uint32_t vertex) {
     return signs.orientation(points[wedge.edge[0]], points[wedge.edge[1]], points[vertex],
                              points[x]);
   };
   return side_of(wedge.from) >= 0 && side_of(wedge.to) < 0;
+}
+
+/// Whether each wedge begins where another one ends, in one cycle through all of them. Then each
+/// half-plane is in as many of them as the cycle winds around the edge.
+bool are_a_cycle(std::span<const Wedge> wedges) {
+  std::vector<bool> passed(wedges.size(), false);
+  std::size_t at = 0;
+  for (std::size_t count = 0; count < wedges.size(); ++count) {
+    passed[at] = true;
+    std::size_t next = 0;
+    while (next < wedges.size() && wedges[next].from != wedges[at].to) ++next;
+    if (next == wedges.size() || (passed[next] && count + 1 < wedges.size())) return false;
+    at = next;
+  }
+  return at == 0;
 }
 
 }  // namespace
@@ -201,9 +217,11 @@ HybridFinding check_around_edges(const std::vector<HybridCell>& cells,
   const std::vector<Wedge> wedges = sorted_wedges(cells);
   for (std::size_t first = 0, end = 0; first < wedges.size(); first = end) {
     while (end < wedges.size() && wedges[end].edge == wedges[first].edge) ++end;
-    // Of two wedges that overlap, one contains the first half-plane of the other.
+    // Of two wedges that overlap, one contains the first half-plane of the other; in a cycle, one
+    // half-plane tells.
+    const bool is_cycle = are_a_cycle(std::span(wedges).subspan(first, end - first));
     for (std::size_t i = first; i < end; ++i) {
-      for (std::size_t j = first; j < end; ++j) {
+      for (std::size_t j = first; j < (is_cycle ? first + 1 : end); ++j) {
         if (i == j || !contains(wedges[i], wedges[j].from, points, signs)) continue;
         return HybridFailure{HybridLaw::kAroundEdge, name_of(cells[wedges[i].cell]) + " and " +
                                                          name_of(cells[wedges[j].cell]) +

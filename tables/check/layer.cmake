@@ -11,6 +11,6 @@ hexatlas_layer(tables/check
     triangulation_laws.cpp zstd_frame.cpp completeness.cpp completeness_file.cpp completeness_rules.cpp
     completeness_shapes.cpp delaunay_check.cpp delaunay_hull.cpp edge_lemma.cpp file_bytes.cpp hybrid_boundary.cpp hybrid_cells.cpp hybrid_check.cpp hybrid_laws.cpp incidence.cpp judge_cells.cpp laws.cpp links.cpp lrat.cpp
     mesh_check.cpp payload.cpp quad_code.cpp rooted_count.cpp read_gmsh.cpp read_legacy_vtk.cpp read_medit.cpp read_mesh.cpp
-    read_points.cpp read_polygons.cpp read_vtu.cpp scanner.cpp sectors.cpp sha256.cpp signs.cpp table_check.cpp table_layout.cpp
+    read_ply.cpp read_points.cpp read_polygons.cpp read_vtu.cpp scanner.cpp sectors.cpp sha256.cpp signs.cpp table_check.cpp table_layout.cpp
     tetrahedron_facets.cpp vtu_data.cpp
   THIRD_PARTY PkgConfig::gmp PkgConfig::zstd ZLIB::ZLIB pugixml::pugixml)

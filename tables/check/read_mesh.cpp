@@ -41,6 +41,7 @@ std::string announced_ending(const std::string& name, std::string_view bytes) {
   if (first == "MeshVersionFormatted") return ".mesh";
   if (first == "$MeshFormat") return ".msh";
   if (first == "OFF") return ".off";
+  if (first == "ply") return ".ply";
   return ".obj";
 }
 
@@ -62,9 +63,10 @@ Draft parse_draft(const std::string& name, std::string_view bytes, Wanted wanted
   const std::string known =
       takes_hxtet ? ".vtk, .vtu, .mesh, .msh or .hxtet" : ".vtk, .vtu, .mesh or .msh";
   throw Malformed(name, 0,
-                  ending(name).empty()        ? "begins like no " + known + " file"
-                  : wanted == Wanted::kPoints ? "a file of points ends in .xyz, .bin, " + known
-                                              : "a mesh file ends in " + known);
+                  ending(name).empty() ? "begins like no " + known + " file"
+                  : wanted == Wanted::kPoints
+                      ? "a file of points ends in .xyz, .bin, .ply, .obj, .off, " + known
+                      : "a mesh file ends in " + known);
 }
 
 }  // namespace
@@ -130,6 +132,9 @@ TetrahedralMesh parse_tetrahedra(const std::string& name, std::string_view bytes
 std::vector<Point> parse_points(const std::string& name, std::string_view bytes) {
   const std::string format = format_of(name, bytes);
   if (format == ".bin") return parse_bin(name, bytes);
+  if (format == ".ply") return parse_ply(name, bytes);
+  if (format == ".off") return parse_off_points(name, bytes);
+  if (ending(name) == ".obj") return parse_obj_points(name, bytes);
   if (format == ".xyz" || (ending(name).empty() && format == ".obj")) return parse_xyz(name, bytes);
   return parse_draft(name, bytes, Wanted::kPoints).points;
 }

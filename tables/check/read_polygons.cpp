@@ -32,6 +32,16 @@ Point obj_point(const Scanner& in, const Words& words) {
   return {in.real_from(words[1]), in.real_from(words[2]), in.real_from(words[3])};
 }
 
+/// The heading with the number of faces, and the points.
+std::vector<Point> off_points(Scanner& in, std::uint64_t& faces) {
+  in.expect("OFF");
+  std::vector<Point> points(in.count(6));
+  faces = in.count(8);
+  static_cast<void>(in.natural());
+  for (Point& point : points) point = in.point();
+  return points;
+}
+
 Quad off_quad(const Scanner& in, const Words& words, std::size_t points) {
   if (words[0] != "4" || words.size() < 5) in.fail("a face is not a quad");
   Quad quad{};
@@ -69,15 +79,26 @@ Surface parse_obj(const std::string& name, std::string_view bytes) {
   return surface;
 }
 
+std::vector<Point> parse_obj_points(const std::string& name, std::string_view bytes) {
+  Scanner in(name, bytes, '#');
+  std::vector<Point> points;
+  for (Words words = in.line_of_words(); !words.empty(); words = in.line_of_words()) {
+    if (words[0] == "v") points.push_back(obj_point(in, words));
+  }
+  return points;
+}
+
+std::vector<Point> parse_off_points(const std::string& name, std::string_view bytes) {
+  Scanner in(name, bytes, '#');
+  std::uint64_t faces = 0;
+  return off_points(in, faces);
+}
+
 Surface parse_off(const std::string& name, std::string_view bytes) {
   Scanner in(name, bytes, '#');
-  in.expect("OFF");
-  const std::uint64_t points = in.count(6);
-  const std::uint64_t faces = in.count(8);
-  static_cast<void>(in.natural());
+  std::uint64_t faces = 0;
   Surface surface;
-  surface.points.resize(points);
-  for (Point& point : surface.points) point = in.point();
+  surface.points = off_points(in, faces);
   surface.quads.reserve(faces);
   for (std::uint64_t face = 0; face < faces; ++face) {
     const Words words = in.line_of_words();

@@ -21,6 +21,7 @@ import time
 import unittest
 import zlib
 
+import hybrid_files
 import program
 import surfaces
 
@@ -208,6 +209,26 @@ class Pages(program.ProgramTest):
         self.assertNotIn("other.html", self.listing())
 
 
+    def test_hybrid_meshes(self):
+        self.write("four.vtk", hybrid_files.vtk(hybrid_files.POINTS, hybrid_files.CELLS))
+        page = self.page(mesh="four.vtk")
+        ran = self.expect(0, self.hexatlas("view", "four.vtk", "-o", "page.html"))
+        self.assertEqual(ran.out, "page.html: 1 tetrahedron, 1 hexahedron, 1 prism, 1 pyramid in 1 layer, "
+                                  "12 vertices (0 interior)\n")
+        self.assertEqual(page.numbers("shapes", "B"), [0, 1, 2, 3])
+        self.assertEqual(page.numbers("cells", "I"), [
+            1, 10, 5, 11, 11, 11, 11, 11, 0, 1, 3, 2, 4, 5, 7, 6, 4, 7, 8, 5, 6, 9, 9, 9, 1, 2, 6, 5, 10, 10, 10, 10])
+        self.assertEqual(page.about()["state"]["colour"], "shape")
+        self.assertEqual(self.page("--colour", "layer", mesh="four.vtk").about()["state"]["colour"], "layer")
+        for options in (("--colour", "jacobian"), ("--singular", "all"), ("--peel", "1")):
+            self.expect(2, self.hexatlas("view", "four.vtk", "-o", "other.html", *options))
+        self.expect(2, self.hexatlas("view", "grid.vtk", "-o", "other.html", "--colour", "shape"))
+        self.assertNotIn("other.html", self.listing())
+        # Tetrahedra alone are a hybrid mesh.
+        self.write("given.vtk", hybrid_files.vtk(hybrid_files.POINTS, hybrid_files.GIVEN))
+        self.assertEqual(self.page(mesh="given.vtk").about()["counts"]["tetrahedra"], 12)
+
+
 class Refusals(program.ProgramTest):
     def setUp(self):
         super().setUp()
@@ -328,6 +349,15 @@ class InBrowser(program.ProgramTest):
         self.write("cube.obj", surfaces.obj(*surfaces.cube()))
         self.assertEqual(self.drawn(mesh="cube.obj"),
                          {"hexatlas": "drawn", "cells": "6", "shown": "6", "facets": "6"})
+
+    def test_a_hybrid_mesh(self):
+        self.write("four.vtk", hybrid_files.vtk(hybrid_files.POINTS, hybrid_files.CELLS))
+        for options, shown, facets in (((), 4, 14), (("--explode", "0.5"), 4, 20),
+                                       (("--slice", "x=0.5"), 2, 9)):
+            with self.subTest(options=options):
+                self.assertEqual(self.drawn(*options, mesh="four.vtk"),
+                                 {"hexatlas": "drawn", "cells": "4", "shown": str(shown), "facets": str(facets)})
+        self.assertIn("2 of 4 cells shown", self.text)
 
     def test_without_webgl_it_says_so(self):
         self.assertEqual(self.drawn(flags=["--disable-3d-apis"]), {"hexatlas": "failed"})

@@ -305,4 +305,86 @@ TEST(ViewStructure, RefusesAnIndexOutOfRange) {
                core::PreconditionViolated);
 }
 
+/// A cube, on its top a roof of one prism, beside it a pyramid, and on this a tetrahedron.
+const mesh::HybridMesh kFour{std::vector<mesh::Point>(13),
+                             {{1, 10, 5, 11}},
+                             {{0, 1, 3, 2, 4, 5, 7, 6}},
+                             {{4, 7, 8, 5, 6, 9}},
+                             {{1, 2, 6, 5, 10}}};
+
+TEST(Solids, AreListedWithTheirNeighbours) {
+  const view::Solids solids = view::solids_of(kFour);
+  using enum view::Shape;
+  EXPECT_EQ(solids.shapes, (std::vector{tetrahedron, hexahedron, prism, pyramid}));
+  EXPECT_EQ(solids.corners[0], (Cell{1, 10, 5, 11, 11, 11, 11, 11}));
+  EXPECT_EQ(solids.corners[2], (Cell{4, 7, 8, 5, 6, 9, 9, 9}));
+  const view::Neighbours neighbours = view::neighbours_of(solids);
+  constexpr std::uint32_t kNo = view::kNobody;
+  EXPECT_EQ(neighbours[0], (std::array<std::uint32_t, 6>{kNo, kNo, kNo, 3, 0, 0}));
+  EXPECT_EQ(neighbours[1], (std::array<std::uint32_t, 6>{kNo, 3, kNo, kNo, kNo, 2}));
+  EXPECT_EQ(neighbours[2], (std::array<std::uint32_t, 6>{kNo, kNo, 1, kNo, kNo, 2}));
+  EXPECT_EQ(neighbours[3], (std::array<std::uint32_t, 6>{1, kNo, kNo, kNo, 0, 3}));
+  EXPECT_EQ(view::layers_of(neighbours), std::vector<std::uint32_t>(4, 0));
+  const view::VertexCounts vertices = view::count_vertices(solids, neighbours);
+  EXPECT_EQ(vertices.used, 12U);
+  EXPECT_EQ(vertices.interior, 0U);
+}
+
+TEST(Solids, OfHexahedraAloneAreAsThese) {
+  const mesh::HexMesh grid = whole_grid(4);
+  const view::Solids solids = view::solids_of({grid.points, {}, grid.hexahedra, {}, {}});
+  const view::Neighbours neighbours = view::neighbours_of(solids);
+  EXPECT_EQ(neighbours, view::neighbours_of(grid));
+  EXPECT_EQ(view::count_vertices(solids, neighbours).interior, 27U);
+}
+
+/// Each cube of a grid is six pyramids around its centre.
+TEST(Solids, PyramidsOfAGrid) {
+  const mesh::HexMesh grid = whole_grid(3);
+  mesh::HybridMesh mesh{grid.points, {}, {}, {}, {}};
+  for (const Cell& h : grid.hexahedra) {
+    const auto centre = static_cast<mesh::Index>(mesh.points.size());
+    mesh.points.emplace_back();
+    for (const auto& f : view::facets_of(view::Shape::hexahedron))
+      mesh.pyramids.push_back({h[f[3]], h[f[2]], h[f[1]], h[f[0]], centre});
+  }
+  const view::Solids solids = view::solids_of(mesh);
+  const view::Neighbours neighbours = view::neighbours_of(solids);
+  const std::vector<std::uint32_t> layers = view::layers_of(neighbours);
+  // 54 have a free facet; 54 pairs meet face to face, and in a cube five others are beside each
+  // one.
+  EXPECT_EQ(std::count(layers.begin(), layers.end(), 0U), 54);
+  std::size_t free = 0;
+  for (const auto& row : neighbours)
+    free += static_cast<std::size_t>(std::count(row.begin(), row.end(), view::kNobody));
+  EXPECT_EQ(free, 54U);
+  const view::VertexCounts vertices = view::count_vertices(solids, neighbours);
+  EXPECT_EQ(vertices.used, 64U + 27U);
+  EXPECT_EQ(vertices.interior, 8U + 27U);
+}
+
+TEST(Solids, FacetsAreTheSurface) {
+  // Each edge of a shape is passed once in each direction.
+  for (const view::Shape shape : {view::Shape::tetrahedron, view::Shape::hexahedron,
+                                  view::Shape::prism, view::Shape::pyramid}) {
+    std::set<std::pair<int, int>> passed;
+    std::size_t edges = 0;
+    for (const auto& facet : view::facets_of(shape)) {
+      const std::size_t size = facet[2] == facet[3] ? 3 : 4;
+      for (std::size_t i = 0; i < size; ++i, ++edges)
+        EXPECT_TRUE(passed.insert({facet[i], facet[(i + 1) % size]}).second);
+    }
+    for (const auto& [v, w] : passed) EXPECT_TRUE(passed.contains({w, v}));
+    EXPECT_EQ(edges, (std::array{12U, 24U, 18U, 16U}[static_cast<std::size_t>(shape)]));
+  }
+}
+
+TEST(Solids, Preconditions) {
+  mesh::HybridMesh bad = kFour;
+  bad.pyramids[0][4] = 13;
+  EXPECT_THROW(static_cast<void>(view::solids_of(bad)), core::PreconditionViolated);
+  EXPECT_THROW(static_cast<void>(view::count_vertices(view::solids_of(kFour), {})),
+               core::PreconditionViolated);
+}
+
 }  // namespace

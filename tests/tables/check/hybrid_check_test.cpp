@@ -83,7 +83,7 @@ HybridMesh disguised(HybridMesh mesh, std::mt19937& random) {
 
 TEST(HybridCheck, AcceptsBoxesOfCubes) {
   std::array<std::size_t, 4> seen{};
-  for (unsigned seed = 0; seed < 150; ++seed) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto size = size_of_example(seed);
@@ -119,7 +119,7 @@ TEST(HybridCheck, AcceptsBoxesOfCubes) {
                 72.0 * 4096 * size[0] * size[1] * size[2]);
     }
   }
-  for (const std::size_t count : seen) EXPECT_GT(count, 200U);
+  for (const std::size_t count : seen) EXPECT_GT(count, 80U);
 }
 
 TEST(HybridCheck, PointsMayBeUnusedAndNumberedOtherwise) {
@@ -185,7 +185,8 @@ TEST(HybridCheck, NamesTheLaw) {
   const auto first_of = [&](std::uint32_t a) {
     for (const Pyramid& p : {Pyramid{0, 2, 1, 3, a}, Pyramid{0, 3, 1, 2, a}, Pyramid{0, 1, 3, 2, a},
                              Pyramid{0, 2, 3, 1, a}}) {
-      if (oracle::least_jacobian(oracle::corners_of(mesh, {p.begin(), p.end()}), 2) > 0) return p;
+      if (oracle::least_jacobian(oracle::corners_of(mesh, {p.begin(), p.end()}), 2, 2) > 0)
+        return p;
     }
     return Pyramid{};
   };
@@ -336,7 +337,7 @@ TEST(HybridCells, SignsAgreeWithAGrid) {
     for (Point& p : points)
       for (double& x : p)
         x = scale * x + static_cast<int>(random() % static_cast<unsigned>(2 * noise + 1)) - noise;
-    const double least = oracle::least_jacobian(points, shape == 3 ? 8 : 32);
+    const double least = oracle::least_jacobian(points, 8, shape == 3 ? 8 : 32);
     const JacobianSign sign = judged_sign(points);
     ++seen[shape][static_cast<std::size_t>(sign)];
     if (least <= 0) {

@@ -78,15 +78,15 @@ inline double jacobian(const std::vector<Point>& p, double u, double v, double w
   }
 }
 
-/// The least value on a grid with so many steps, a power of two.
-inline double least_jacobian(const std::vector<Point>& p, int steps) {
+/// The least value on a grid with so many steps in u and v and in w, powers of two.
+inline double least_jacobian(const std::vector<Point>& p, int steps, int heights) {
   double least = jacobian(p, 0, 0, 0);
   for (int i = 0; i <= steps; ++i)
     for (int j = 0; j <= steps; ++j)
-      for (int k = 0; k <= steps; ++k) {
+      for (int k = 0; k <= heights; ++k) {
         if (p.size() == 6 && i + j > steps) continue;
-        const double one = steps;
-        least = std::min(least, jacobian(p, i / one, j / one, k / one));
+        const double one = steps, height = heights;
+        least = std::min(least, jacobian(p, i / one, j / one, k / height));
       }
   return least;
 }
@@ -135,7 +135,7 @@ inline bool has_good_cells(const HybridMesh& mesh) {
   for (const Cell& cell : all_cells(mesh)) {
     if (std::set<std::uint32_t>(cell.begin(), cell.end()).size() != cell.size()) return false;
     if (*std::max_element(cell.begin(), cell.end()) >= mesh.points.size()) return false;
-    if (least_jacobian(corners_of(mesh, cell), 4) <= 0) return false;
+    if (least_jacobian(corners_of(mesh, cell), 4, 4) <= 0) return false;
   }
   return true;
 }

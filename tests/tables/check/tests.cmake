@@ -39,6 +39,9 @@ hexatlas_test(tables_check_mesh_check_test fast
 hexatlas_test(tables_check_read_mesh_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/read_mesh_test.cpp
   USES tables_check)
+hexatlas_test(tables_check_read_points_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/read_points_test.cpp
+  USES tables_check meshing_io)
 hexatlas_test(tables_check_delaunay_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/delaunay_check_test.cpp
   USES tables_check)
