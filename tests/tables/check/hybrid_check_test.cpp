@@ -173,6 +173,8 @@ TEST(HybridCheck, NamesTheLaw) {
   mesh = with_top({apex});
   mesh.tetrahedra = {{4, 5, 6, 8}, {4, 6, 7, 8}};
   EXPECT_EQ(broken(mesh), HybridLaw::kDiagonal);
+  mesh.tetrahedra = {{4, 5, 7, 8}, {5, 6, 7, 8}};
+  EXPECT_EQ(broken(mesh), HybridLaw::kDiagonal);
   // Only a vertex and an edge of a triangle are at the quad.
   mesh.tetrahedra = {{4, 5, 6, 8}};
   EXPECT_EQ(broken(mesh), HybridLaw::kDiagonal);
@@ -219,6 +221,17 @@ TEST(HybridCheck, OnceAroundEachEdge) {
   EXPECT_EQ(broken(fan(8, 135)), HybridLaw::kAroundEdge);
   EXPECT_EQ(broken(fan(3, 150)), HybridLaw::kAroundEdge);
   EXPECT_EQ(broken(fan(6, 61)), HybridLaw::kAroundEdge);
+  // Two that begin, or end, in one half-plane without a facet in common; two that are side by side.
+  const std::vector<Point> around{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {2, 0, 0},
+                                  {1, 1, 0}, {2, 2, 0}, {0, 1, 0}};
+  const auto two = [&](Tetrahedron a, Tetrahedron b) {
+    return broken({around, {a, b}, {}, {}, {}});
+  };
+  EXPECT_EQ(two({0, 1, 2, 4}, {0, 1, 3, 6}), HybridLaw::kAroundEdge);
+  EXPECT_EQ(two({0, 1, 2, 6}, {0, 1, 3, 4}), HybridLaw::kAroundEdge);
+  EXPECT_EQ(two({0, 1, 2, 5}, {0, 1, 3, 4}), HybridLaw::kAroundEdge);
+  EXPECT_EQ(two({0, 1, 2, 6}, {0, 1, 4, 6}), HybridLaw::kOppositeSides);
+  EXPECT_EQ(two({0, 1, 2, 4}, {0, 1, 5, 6}), HybridLaw::kNone);
   // Cut through the axis in tetrahedra and pyramids, the double fan is found as well.
   HybridMesh mesh = fan(5, 144);
   const auto top = static_cast<std::uint32_t>(mesh.points.size());

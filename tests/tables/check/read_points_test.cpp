@@ -48,7 +48,8 @@ TEST(ReadPoints, RefusesDamagedPly) {
   const auto without_format = edit(kPlyAscii, "format ascii 1.0\n", "");
   for (const std::string& bytes :
        {std::string("ply\n"), without_format, edit(kPlyAscii, "1.0", "2.0"),
-        edit(kPlyAscii, "ascii", "binary_big_endian"), edit(kPlyAscii, "end_header", "end"), edit(kPlyAscii, "end_header", " end_header"),
+        edit(kPlyAscii, "ascii", "binary_big_endian"), edit(kPlyAscii, "end_header", "end"),
+        edit(kPlyAscii, "end_header", " end_header"),
         edit(kPlyAscii, "property double x", "property real x"),
         edit(kPlyAscii, "property double x\n", ""),
         edit(kPlyAscii, "property uchar red", "property uchar y"),
