@@ -61,7 +61,11 @@ Builder<Index>::Builder(std::span<const mesh::Point> points, std::uint64_t seed,
       points_[i + kFirstSite] = placed.point;
     }
   });
-  for (int t = 0; t < threads; ++t) inserters_.emplace_back(cells_, sites_.data(), claims_.data());
+  const Site centre = mean_of_some();
+  for (int t = 0; t < threads; ++t) {
+    inserters_.emplace_back(cells_, sites_.data(), claims_.data());
+    inserters_.back().look_from(centre);
+  }
   std::array<Index, 4> first{};
   if (!find_first_four(first)) {
     duplicates_ = count_equal(points);
@@ -70,6 +74,20 @@ Builder<Index>::Builder(std::span<const mesh::Point> points, std::uint64_t seed,
   cells_.reserve(kCellsPerPoint * sites);
   inserters_.front().begin(first);
   insert_rounds(order.rounds, first);
+}
+
+/// Inside of the hull.
+template <class Index>
+Site Builder<Index>::mean_of_some() const noexcept {
+  constexpr std::size_t kSome = 64;
+  Site mean{};
+  for (std::size_t i = 0; i < kSome && points() > 0; ++i) {
+    const Site& site = sites_[kFirstSite + i * points() / kSome];
+    mean.x += site.x / kSome;
+    mean.y += site.y / kSome;
+    mean.z += site.z / kSome;
+  }
+  return mean;
 }
 
 /// Sets the dimension.

@@ -56,6 +56,7 @@ class Builder {
   void for_each_around(mesh::Index point, Visit&& visit);
 
  private:
+  [[nodiscard]] Site mean_of_some() const noexcept;
   [[nodiscard]] bool find_first_four(std::array<Index, 4>& first);
   void insert_rounds(std::span<const std::size_t> rounds, const std::array<Index, 4>& first);
   void insert_here(std::span<const Index> sites);

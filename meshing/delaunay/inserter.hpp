@@ -66,6 +66,9 @@ class Inserter {
     is_confined_ = true;
   }
   void release() noexcept { is_confined_ = false; }
+  /// A place inside of the hull, more or less: the nearer to its middle, the shorter the walks over
+  /// the hull. None need end if it is not.
+  void look_from(const Site& centre) noexcept { centre_ = centre; }
   /// Sites and claims have moved; there may be more of them.
   void use(const Site* sites, Claim* claims) noexcept;
 
@@ -112,6 +115,8 @@ class Inserter {
   [[nodiscard]] bool number_vertices();
   void link();
   void link_by_sorting();
+  [[nodiscard]] Index first_on_hull() const noexcept;
+  [[nodiscard]] Index visible_from(const Site& p) const;
   [[nodiscard]] unsigned facets_towards(const Tetrahedron& cell, unsigned entered,
                                         const Site& p) const;
   [[nodiscard]] unsigned facets_within(const Tetrahedron& cell) const noexcept;
@@ -123,6 +128,7 @@ class Inserter {
   const FourFacets& signs_;
   Region region_;
   bool is_confined_ = false;
+  Site centre_;
   LocalVertices<Index> locals_;
   std::vector<Index> edges_;  ///< references, by two local numbers
   /// The cells of the cavity: references to the facets through which they were found, of the first
