@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "meshing/delaunay/cells.hpp"
+#include "meshing/delaunay/common_unit.hpp"
 #include "meshing/delaunay/inserter.hpp"
 #include "meshing/delaunay/page_buffer.hpp"
 #include "meshing/delaunay/site.hpp"
@@ -74,6 +75,7 @@ class Builder {
   std::vector<typename LocalVertices<Index>::Claim> claims_;
   std::vector<Inserter<Index>> inserters_;
   std::vector<Index> sites_of_points_;  ///< filled when first asked for
+  CommonUnit unit_;
   std::size_t duplicates_ = 0;
   int dimension_ = -1;
 };

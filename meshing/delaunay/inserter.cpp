@@ -20,7 +20,7 @@ constexpr unsigned facet_opposite(unsigned vertex) { return (vertex + 1) & 3U; }
 constexpr std::array<std::array<std::uint8_t, 3>, 4> kInward{
     {{0, 2, 1}, {1, 2, 3}, {2, 0, 3}, {3, 0, 1}}};
 
-constexpr std::size_t kAtOnce = 4096;    // cells taken from the common store
+constexpr std::size_t kAtOnce = 4096;   // cells taken from the common store
 constexpr unsigned kMostOnHull = 1000;  // steps; more are a sign of a bad centre
 
 }  // namespace
@@ -231,13 +231,23 @@ bool Inserter<Index>::leaves_region(const Neighbors& around) const noexcept {
 /// The neighbours, a bit for each facet, that are in conflict with the site.
 template <class Index>
 unsigned Inserter<Index>::conflicting(const Neighbors& around, const Site& p) const {
-  const FacetSigns signs = signs_.conflict(around.corners, around.apexes, p);
-  unsigned inside = signs.positive;
-  for (unsigned rest = signs.undecided & around.alive; rest != 0; rest &= rest - 1) {
+  const FacetSigns signs =
+      signs_.conflict(around.corners, around.apexes, p, around.alive, short_below_);
+  const unsigned rest = signs.undecided & around.alive;
+  const unsigned inside = signs.positive & around.alive;
+  return rest == 0 ? inside : inside | conflicting_exactly(around, rest, p);
+}
+
+/// Of the given ones.
+template <class Index>
+unsigned Inserter<Index>::conflicting_exactly(const Neighbors& around, unsigned facets,
+                                              const Site& p) const {
+  unsigned inside = 0;
+  for (unsigned rest = facets; rest != 0; rest &= rest - 1) {
     const auto j = static_cast<unsigned>(std::countr_zero(rest));
     if (conflicts(cells_[around.facets[j] / 4], p)) inside |= 1U << j;
   }
-  return inside & around.alive;
+  return inside;
 }
 
 /// Finds the cavity and marks its tetrahedra; false if it leaves the region.
