@@ -262,6 +262,7 @@ bool Inserter<Index>::dig(Index start, const Site& p) {
   doomed_count_ = 1;
   facet_count_ = 0;
   cells_[start].vertices[0] |= kMark;
+  std::size_t fetched = 1;
   for (std::size_t k = 0; k < doomed_count_; ++k) {
     make_room(doomed_, doomed_count_ + 4);
     make_room(walls_, facet_count_ + 4);
@@ -278,9 +279,10 @@ bool Inserter<Index>::dig(Index start, const Site& p) {
       walls_[facet_count_] = static_cast<std::uint32_t>(4 * k + j);
       facet_count_ += outside >> j & 1U;
     }
-    // What a later step looks at, if there is one.
-    for (const Index facet : cells_[doomed_[k + 1] / 4].neighbors)
+    // What a later step looks at, if there is one, as early as may be.
+    for (const Index facet : cells_[doomed_[fetched] / 4].neighbors)
       __builtin_prefetch(&cells_[facet / 4]);
+    fetched += static_cast<std::size_t>(fetched < doomed_count_);
   }
   return true;
 }
