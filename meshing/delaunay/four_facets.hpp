@@ -77,8 +77,19 @@ struct FourFacets {
   /// wanted: a bit for each facet that matters. short_below: 2^19 g^2, for which all coordinates
   /// are multiples of g as in (4), or a negative number. Ties are decided only if the squared
   /// distances from p are below; ties of facets of the hull never.
-  FacetSigns (*conflict)(const FourSites& corners, const FourSites& apexes, const Site& p,
-                         unsigned wanted, double short_below);
+  [[nodiscard]] FacetSigns conflict(const FourSites& corners, const FourSites& apexes,
+                                    const Site& p, unsigned wanted, double short_below) const {
+    const FacetSigns signs = conflict_quickly(corners, apexes, p);
+    if ((signs.undecided & wanted) == 0) return signs;
+    const FacetSigns close = conflict_closely(corners, apexes, p, short_below);
+    return {signs.positive | close.positive, signs.undecided & close.undecided};
+  }
+
+  /// By (2) alone; points in general position hardly ever need more.
+  FacetSigns (*conflict_quickly)(const FourSites& corners, const FourSites& apexes, const Site& p);
+  /// By (3) and (4), with the ghost vertex.
+  FacetSigns (*conflict_closely)(const FourSites& corners, const FourSites& apexes, const Site& p,
+                                 double short_below);
 };
 
 /// The fastest that this processor can.

@@ -170,10 +170,9 @@ inline Lanes tie(const Rows& a, const Rows& b, const Rows& c, const Rows& d, con
   return last.factor;
 }
 
-/// As conflict(), for what that leaves undecided: with the ghost vertex, the better bound, and
-/// short integers. Not inlined, since it is hardly ever needed for points in general position.
-[[gnu::noinline]] FacetSigns conflict_closely(const FourSites& corners, const FourSites& apexes,
-                                              const Site& p, double short_below) {
+/// As conflict_quickly(), with the ghost vertex, the better bound, and short integers.
+FacetSigns conflict_closely(const FourSites& corners, const FourSites& apexes, const Site& p,
+                            double short_below) {
   Rows a = relative(corners, p), d = relative(apexes, p);
   const LaneBits ghost_a = is_ghost(a), ghost_d = is_ghost(d);
   const LaneBits ghost_b = turned(ghost_a),
@@ -198,18 +197,20 @@ inline Lanes tie(const Rows& a, const Rows& b, const Rows& c, const Rows& d, con
                              (most < kGreatestSquare));
 }
 
-FacetSigns conflict(const FourSites& corners, const FourSites& apexes, const Site& p,
-                    unsigned wanted, double short_below) {
+FacetSigns conflict_quickly(const FourSites& corners, const FourSites& apexes, const Site& p) {
   const Rows a = relative(corners, p), b = turned(a), c = turned(b);
   const Rows d = relative(apexes, p);
-  const Lanes value = determinant(minors(a, b), minors(c, d));
+  // Term by term, so that few registers are in use.
+  const Lanes xy = (a.x * b.y - a.y * b.x) * (c.z * d.w - c.w * d.z);
+  const Lanes xz = (a.x * b.z - a.z * b.x) * (c.y * d.w - c.w * d.y);
+  const Lanes xw = (a.x * b.w - a.w * b.x) * (c.y * d.z - c.z * d.y);
+  const Lanes yz = (a.y * b.z - a.z * b.y) * (c.x * d.w - c.w * d.x);
+  const Lanes yw = (a.y * b.w - a.w * b.y) * (c.x * d.z - c.z * d.x);
+  const Lanes zw = (a.z * b.w - a.w * b.z) * (c.x * d.y - c.y * d.x);
+  const Lanes value = ((xy - xz) + (xw + yz)) + (zw - yw);
   const Lanes most = greater(greater(a.w, b.w), greater(c.w, d.w));
   const Lanes bound = kSphereBound * ((a.w * b.w) * (c.w * d.w) * most) + kSphereUnderflow;
-  FacetSigns signs = signs_of(value, (value * value > bound) & (most < kGreatestSquare));
-  if ((signs.undecided & wanted) == 0) [[likely]]
-    return signs;
-  const FacetSigns close = conflict_closely(corners, apexes, p, short_below);
-  return {signs.positive | close.positive, signs.undecided & close.undecided};
+  return signs_of(value, (value * value > bound) & (most < kGreatestSquare));
 }
 
 // NOLINTEND(misc-definitions-in-headers)
