@@ -52,15 +52,25 @@ Builder<Index>::Builder(std::span<const mesh::Point> points, std::uint64_t seed,
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   sites_[kNone] = sites_[kGhost] = {kNowhere, kNowhere, kNowhere, 0};
   const SpaceOrder order = space_order(points, seed, threads);
-  for_each_part(threads, points.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+  std::vector<CommonUnit> units(static_cast<std::size_t>(threads));
+  for_each_part(threads, points.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+    CommonUnit unit;
     for (std::size_t i = begin; i < end; ++i) {
       const Placed& placed = order.points[i];
       const mesh::Point& p = points[placed.point];
       sites_[i + kFirstSite] = {p.x, p.y, p.z, placed.key};
+      unit.include(sites_[i + kFirstSite]);
       points_[i + kFirstSite] = placed.point;
     }
+    units[part] = unit;
   });
-  for (int t = 0; t < threads; ++t) inserters_.emplace_back(cells_, sites_.data(), claims_.data());
+  for (const CommonUnit& unit : units) unit_.include(unit);
+  const Site centre = mean_of_some();
+  for (int t = 0; t < threads; ++t) {
+    inserters_.emplace_back(cells_, sites_.data(), claims_.data());
+    inserters_.back().look_from(centre);
+    inserters_.back().use(unit_);
+  }
   std::array<Index, 4> first{};
   if (!find_first_four(first)) {
     duplicates_ = count_equal(points);
@@ -69,6 +79,20 @@ Builder<Index>::Builder(std::span<const mesh::Point> points, std::uint64_t seed,
   cells_.reserve(kCellsPerPoint * sites);
   inserters_.front().begin(first);
   insert_rounds(order.rounds, first);
+}
+
+/// Inside of the hull.
+template <class Index>
+Site Builder<Index>::mean_of_some() const noexcept {
+  constexpr std::size_t kSome = 64;
+  Site mean{};
+  for (std::size_t i = 0; i < kSome && points() > 0; ++i) {
+    const Site& site = sites_[kFirstSite + i * points() / kSome];
+    mean.x += site.x / kSome;
+    mean.y += site.y / kSome;
+    mean.z += site.z / kSome;
+  }
+  return mean;
 }
 
 /// Sets the dimension.
@@ -227,6 +251,8 @@ Index Builder<Index>::add(const mesh::Point& point) {
   claims_.push_back({});
   sites_of_points_.clear();
   inserter().use(sites_.data(), claims_.data());
+  unit_.include(sites_[site]);
+  inserter().use(unit_);
   const auto added = static_cast<Index>(site);
   if (inserter().insert(added) == Outcome::inserted) return added;
   note_duplicate(added, inserter().twin());

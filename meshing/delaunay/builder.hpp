@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "meshing/delaunay/cells.hpp"
+#include "meshing/delaunay/common_unit.hpp"
 #include "meshing/delaunay/inserter.hpp"
 #include "meshing/delaunay/page_buffer.hpp"
 #include "meshing/delaunay/site.hpp"
@@ -51,6 +52,7 @@ class Builder {
   void for_each_around(mesh::Index point, Visit&& visit);
 
  private:
+  [[nodiscard]] Site mean_of_some() const noexcept;
   [[nodiscard]] bool find_first_four(std::array<Index, 4>& first);
   void insert_rounds(std::span<const std::size_t> rounds, const std::array<Index, 4>& first);
   void insert_here(std::span<const Index> sites);
@@ -68,6 +70,7 @@ class Builder {
   std::vector<typename LocalVertices<Index>::Claim> claims_;
   std::vector<Inserter<Index>> inserters_;
   std::vector<Index> sites_of_points_;  ///< filled when first asked for
+  CommonUnit unit_;
   std::size_t duplicates_ = 0;
   int dimension_ = -1;
 };

@@ -8,7 +8,7 @@ namespace hexatlas::delaunay {
 
 const FourFacets* four_facets_avx2() noexcept {
 #if defined(__AVX2__) && defined(__FMA__)
-  static constexpr FourFacets kFunctions{beyond, conflict};
+  static constexpr FourFacets kFunctions{beyond, conflict_quickly, conflict_closely};
   return &kFunctions;
 #else
   return nullptr;

@@ -11,10 +11,13 @@ namespace {
 using Lanes [[gnu::vector_size(32)]] = double;
 using LaneBits [[gnu::vector_size(32)]] = long long;
 
-// Squares of twice the first summands in four_facets.hpp.
-constexpr double kOrientationBound = 0x1p-92;  // 2^-46 squared
-constexpr double kSphereBound = 0x1p-86;       // 2^-43 squared
-constexpr double kUnderflow = 0x1p-900;
+// Squares of bounds in four_facets.hpp.
+constexpr double kOrientationBound = 0x1p-92;
+constexpr double kOrientationUnderflow = 0x1p-900;
+constexpr double kSphereBound = 0x1p-86;
+constexpr double kCloseBound = 0x1p-96;
+constexpr double kSphereUnderflow = 0x1p-650;
+constexpr double kGreatestSquare = 0x1p100;
 constexpr LaneBits kOddLanes = {0, 1LL << 63, 0, 1LL << 63};  // NOLINT(*signed-bitwise)
 
 struct Rows {
@@ -60,11 +63,13 @@ inline unsigned mask_of(const LaneBits& bits) {
 #endif
 }
 
+inline Lanes oriented(const Lanes& value) {
+  return reinterpret_cast<Lanes>(reinterpret_cast<LaneBits>(value) ^ kOddLanes);
+}
+
 /// The signs of the values, every other one turned round.
-inline FacetSigns signs_of(const Lanes& value, const Lanes& squared_bound) {
-  const LaneBits decided = value * value > squared_bound;
-  const Lanes oriented = reinterpret_cast<Lanes>(reinterpret_cast<LaneBits>(value) ^ kOddLanes);
-  return {mask_of(decided & (oriented > 0)), 15U & ~mask_of(decided)};
+inline FacetSigns signs_of(const Lanes& value, const LaneBits& decided) {
+  return {mask_of(decided & (oriented(value) > 0)), 15U & ~mask_of(decided)};
 }
 
 FacetSigns beyond(const FourSites& corners, const Site& p) {
@@ -74,12 +79,128 @@ FacetSigns beyond(const FourSites& corners, const Site& p) {
   const Lanes xy = a.x * b.y - a.y * b.x;
   const Lanes value = yz * c.x + zx * c.y + xy * c.z;
   const Lanes most = greater(greater(a.w, b.w), c.w);
-  return signs_of(value, kOrientationBound * (most * most * most) + kUnderflow);
+  return signs_of(value,
+                  value * value > kOrientationBound * (most * most * most) + kOrientationUnderflow);
 }
 
-FacetSigns conflict(const FourSites& corners, const FourSites& apexes, const Site& p) {
+struct Minors {
+  Lanes xy, xz, xw, yz, yw, zw;
+};
+
+inline Minors minors(const Rows& a, const Rows& b) {
+  return {a.x * b.y - a.y * b.x, a.x * b.z - a.z * b.x, a.x * b.w - a.w * b.x,
+          a.y * b.z - a.z * b.y, a.y * b.w - a.w * b.y, a.z * b.w - a.w * b.z};
+}
+
+/// With all signs positive.
+inline Minors permanents(const Rows& a, const Rows& b) {
+  return {a.x * b.y + a.y * b.x, a.x * b.z + a.z * b.x, a.x * b.w + a.w * b.x,
+          a.y * b.z + a.z * b.y, a.y * b.w + a.w * b.y, a.z * b.w + a.w * b.z};
+}
+
+/// Of four rows, from the minors of the first and of the last two.
+inline Lanes determinant(const Minors& ab, const Minors& cd) {
+  return ((ab.xy * cd.zw - ab.xz * cd.yw) + (ab.xw * cd.yz + ab.yz * cd.xw)) +
+         (ab.zw * cd.xy - ab.yw * cd.xz);
+}
+inline Lanes permanent(const Minors& ab, const Minors& cd) {
+  return ((ab.xy * cd.zw + ab.xz * cd.yw) + (ab.xw * cd.yz + ab.yz * cd.xw)) +
+         (ab.zw * cd.xy + ab.yw * cd.xz);
+}
+
+/// Of three rows, the places alone.
+inline Lanes determinant(const Minors& ab, const Rows& c) {
+  return ab.xy * c.z - ab.xz * c.y + ab.yz * c.x;
+}
+
+inline Lanes absolute(const Lanes& values) {
+  constexpr LaneBits kSign = {~(1LL << 63), ~(1LL << 63), ~(1LL << 63), ~(1LL << 63)};
+  return reinterpret_cast<Lanes>(reinterpret_cast<LaneBits>(values) & kSign);
+}
+inline Rows absolute(const Rows& r) {
+  return {absolute(r.x), absolute(r.y), absolute(r.z), absolute(r.w)};
+}
+
+inline LaneBits turned(const LaneBits& bits) {
+  return __builtin_shufflevector(bits, bits, 1, 2, 3, 0);
+}
+
+inline Lanes greatest(const Lanes& values) {
+  const Lanes pairs = greater(values, __builtin_shufflevector(values, values, 1, 0, 3, 2));
+  return greater(pairs, __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1));
+}
+
+/// Which are not a number.
+inline LaneBits is_ghost(const Rows& rows) { return ~(rows.x <= __builtin_inf()); }
+
+/// Puts (0, 0, 0, height) in place of the ghost vertex.
+inline void raise_ghosts(Rows& rows, const LaneBits& ghosts, const Lanes& height) {
+  rows.x = ghosts ? Lanes{} : rows.x;
+  rows.y = ghosts ? Lanes{} : rows.y;
+  rows.z = ghosts ? Lanes{} : rows.z;
+  rows.w = ghosts ? height : rows.w;
+}
+
+/// The factor of the height of the last of some points, in lexicographic order, that has one.
+struct LastFactor {
+  Lanes factor;
+  Lanes place;
+  void take(const Lanes& other, const Lanes& other_place) {
+    const LaneBits is_later = (other != 0) & (other_place > place);
+    factor = is_later ? other : factor;
+    place = is_later ? other_place : place;
+  }
+};
+
+/// Grows with the lexicographic order of integers below 2^10, and is one of less than 2^53.
+inline Lanes place_of(const Rows& r) { return r.x * 0x1p22 + r.y * 0x1p11 + r.z; }
+
+/// Whose sign is that of the perturbed determinant if the other is zero: of the height of a, b, c,
+/// d, or p.
+inline Lanes tie(const Rows& a, const Rows& b, const Rows& c, const Rows& d, const Minors& ab,
+                 const Minors& cd) {
+  const Lanes of_a = -determinant(cd, b), of_b = determinant(cd, a), of_c = -determinant(ab, d),
+              of_d = determinant(ab, c);
+  LastFactor last{-((of_a + of_b) + (of_c + of_d)), {}};
+  last.place = last.factor != 0 ? Lanes{} : Lanes{} - __builtin_inf();
+  last.take(of_a, place_of(a));
+  last.take(of_b, place_of(b));
+  last.take(of_c, place_of(c));
+  last.take(of_d, place_of(d));
+  return last.factor;
+}
+
+/// As conflict_quickly(), with the ghost vertex, the better bound, and short integers.
+FacetSigns conflict_closely(const FourSites& corners, const FourSites& apexes, const Site& p,
+                            double short_below) {
+  Rows a = relative(corners, p), d = relative(apexes, p);
+  const LaneBits ghost_a = is_ghost(a), ghost_d = is_ghost(d);
+  const LaneBits ghost_b = turned(ghost_a),
+                 has_ghost = ghost_a | ghost_b | turned(ghost_b) | ghost_d;
+  a.w = ghost_a ? Lanes{} : a.w;
+  d.w = ghost_d ? Lanes{} : d.w;
+  const Lanes most = greatest(greater(a.w, d.w));
+  raise_ghosts(a, ghost_a, most);
+  raise_ghosts(d, ghost_d, most);
+  const Rows b = turned(a), c = turned(b);
+  const Minors ab = minors(a, b), cd = minors(c, d);
+  const Lanes value = determinant(ab, cd);
+  if (most[0] < short_below) {
+    const LaneBits is_zero = value == 0;
+    if (mask_of(is_zero) == 0) return {mask_of(oriented(value) > 0), 0};
+    const Lanes sign = is_zero ? (has_ghost ? Lanes{} : tie(a, b, c, d, ab, cd)) : value;
+    return signs_of(sign, sign != 0);
+  }
+  const Lanes sum =
+      permanent(permanents(absolute(a), absolute(b)), permanents(absolute(c), absolute(d)));
+  return signs_of(value, (value * value > kCloseBound * (sum * sum) + kSphereUnderflow) &
+                             (most < kGreatestSquare));
+}
+
+FacetSigns conflict_quickly(const FourSites& corners, const FourSites& apexes, const Site& p) {
   const Rows a = relative(corners, p), b = turned(a), c = turned(b);
   const Rows d = relative(apexes, p);
+  // Term by term, so that few registers are in use.
   const Lanes xy = (a.x * b.y - a.y * b.x) * (c.z * d.w - c.w * d.z);
   const Lanes xz = (a.x * b.z - a.z * b.x) * (c.y * d.w - c.w * d.y);
   const Lanes xw = (a.x * b.w - a.w * b.x) * (c.y * d.z - c.z * d.y);
@@ -88,8 +209,8 @@ FacetSigns conflict(const FourSites& corners, const FourSites& apexes, const Sit
   const Lanes zw = (a.z * b.w - a.w * b.z) * (c.x * d.y - c.y * d.x);
   const Lanes value = ((xy - xz) + (xw + yz)) + (zw - yw);
   const Lanes most = greater(greater(a.w, b.w), greater(c.w, d.w));
-  const Lanes squared = most * most;
-  return signs_of(value, kSphereBound * (squared * squared * most) + kUnderflow);
+  const Lanes bound = kSphereBound * ((a.w * b.w) * (c.w * d.w) * most) + kSphereUnderflow;
+  return signs_of(value, (value * value > bound) & (most < kGreatestSquare));
 }
 
 // NOLINTEND(misc-definitions-in-headers)

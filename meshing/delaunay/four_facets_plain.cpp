@@ -3,7 +3,7 @@
 namespace hexatlas::delaunay {
 
 const FourFacets& four_facets_plain() noexcept {
-  static constexpr FourFacets kFunctions{beyond, conflict};
+  static constexpr FourFacets kFunctions{beyond, conflict_quickly, conflict_closely};
   return kFunctions;
 }
 

@@ -20,7 +20,8 @@ constexpr unsigned facet_opposite(unsigned vertex) { return (vertex + 1) & 3U; }
 constexpr std::array<std::array<std::uint8_t, 3>, 4> kInward{
     {{0, 2, 1}, {1, 2, 3}, {2, 0, 3}, {3, 0, 1}}};
 
-constexpr std::size_t kAtOnce = 4096;  // cells taken from the common store
+constexpr std::size_t kAtOnce = 4096;   // cells taken from the common store
+constexpr unsigned kMostOnHull = 1000;  // steps; more are a sign of a bad centre
 
 }  // namespace
 
@@ -71,6 +72,7 @@ Outcome Inserter<Index>::insert(Index site) {
   const Site& p = sites_[site];
   const Index start = located(p);
   if (start == kNone) return Outcome::postponed;
+  const bool is_outside = cells_[start].ghost() < 4;
   twin_ = vertex_at(cells_[start], p);
   if (twin_ != kNone) return Outcome::duplicate;
   if (!dig(start, p)) {
@@ -83,13 +85,24 @@ Outcome Inserter<Index>::insert(Index site) {
     return Outcome::no_room;
   }
   fill(site);
+  if (is_outside) last_ = first_on_hull();  // the next one may be outside, too
   return Outcome::inserted;
+}
+
+/// Of the tetrahedra at a site that was outside.
+template <class Index>
+Index Inserter<Index>::first_on_hull() const noexcept {
+  return *std::find_if(made().begin(), made().end(),
+                       [&](Index cell) { return cells_[cell].ghost() < 4; });
 }
 
 template <class Index>
 Index Inserter<Index>::located(const Site& place) {
   Index at = last_;
-  if (const unsigned ghost = cells_[at].ghost(); ghost < 4) at = cells_[at].neighbors[ghost] / 4;
+  if (const unsigned ghost = cells_[at].ghost(); ghost < 4) {
+    if (const Index seen = visible_from(place); seen != kNone) return seen;
+    at = cells_[at].neighbors[ghost] / 4;
+  }
   unsigned entered = 4;  // the vertex opposite to the facet through which the walk came
   while (true) {
     const Tetrahedron& cell = cells_[at];
@@ -102,6 +115,32 @@ Index Inserter<Index>::located(const Site& place) {
     entered = static_cast<unsigned>(to % 4);
     if (cells_[at].vertices[entered] == kGhost) return at;
   }
+}
+
+/// From a facet of the hull over others: to one that the place lies strictly beyond, or kNone if it
+/// meets none. As in space the walk goes through facets, those of the tetrahedra that join the
+/// hull to the centre. These are left-handed, so every sign is turned round. Tetrahedra inside the
+/// hull may be long and thin, and many of them on the way.
+template <class Index>
+Index Inserter<Index>::visible_from(const Site& p) const {
+  Index at = last_;
+  unsigned entered = 4;
+  for (unsigned steps = 0; steps < kMostOnHull; ++steps) {
+    const Tetrahedron& cell = cells_[at];
+    const unsigned ghost = cell.ghost();
+    FourSites corners{};
+    for (unsigned i = 0; i < 4; ++i) corners[i] = i == ghost ? &centre_ : &sites_[cell.vertices[i]];
+    const FacetSigns signs = signs_.beyond(corners, p);
+    unsigned ways = 15U & ~(signs.positive | signs.undecided);
+    if ((ways >> facet_opposite(ghost) & 1U) != 0) return at;
+    if (entered < 4) ways &= ~(1U << facet_opposite(entered));
+    if (is_confined_) ways &= facets_within(cell);
+    if (ways == 0) return kNone;
+    const Index to = cell.neighbors[opposite_of(static_cast<unsigned>(std::countr_zero(ways)))];
+    at = to / 4;
+    entered = static_cast<unsigned>(to % 4);
+  }
+  return kNone;
 }
 
 /// The facets, other than that entered through, that the place lies strictly beyond: at least one
@@ -192,13 +231,23 @@ bool Inserter<Index>::leaves_region(const Neighbors& around) const noexcept {
 /// The neighbours, a bit for each facet, that are in conflict with the site.
 template <class Index>
 unsigned Inserter<Index>::conflicting(const Neighbors& around, const Site& p) const {
-  const FacetSigns signs = signs_.conflict(around.corners, around.apexes, p);
-  unsigned inside = signs.positive;
-  for (unsigned rest = signs.undecided & around.alive; rest != 0; rest &= rest - 1) {
+  const FacetSigns signs =
+      signs_.conflict(around.corners, around.apexes, p, around.alive, short_below_);
+  const unsigned rest = signs.undecided & around.alive;
+  const unsigned inside = signs.positive & around.alive;
+  return rest == 0 ? inside : inside | conflicting_exactly(around, rest, p);
+}
+
+/// Of the given ones.
+template <class Index>
+unsigned Inserter<Index>::conflicting_exactly(const Neighbors& around, unsigned facets,
+                                              const Site& p) const {
+  unsigned inside = 0;
+  for (unsigned rest = facets; rest != 0; rest &= rest - 1) {
     const auto j = static_cast<unsigned>(std::countr_zero(rest));
     if (conflicts(cells_[around.facets[j] / 4], p)) inside |= 1U << j;
   }
-  return inside & around.alive;
+  return inside;
 }
 
 /// Finds the cavity and marks its tetrahedra; false if it leaves the region.
@@ -213,6 +262,7 @@ bool Inserter<Index>::dig(Index start, const Site& p) {
   doomed_count_ = 1;
   facet_count_ = 0;
   cells_[start].vertices[0] |= kMark;
+  std::size_t fetched = 1;
   for (std::size_t k = 0; k < doomed_count_; ++k) {
     make_room(doomed_, doomed_count_ + 4);
     make_room(walls_, facet_count_ + 4);
@@ -229,9 +279,10 @@ bool Inserter<Index>::dig(Index start, const Site& p) {
       walls_[facet_count_] = static_cast<std::uint32_t>(4 * k + j);
       facet_count_ += outside >> j & 1U;
     }
-    // What a later step looks at, if there is one.
-    for (const Index facet : cells_[doomed_[k + 1] / 4].neighbors)
+    // What a later step looks at, if there is one, as early as may be.
+    for (const Index facet : cells_[doomed_[fetched] / 4].neighbors)
       __builtin_prefetch(&cells_[facet / 4]);
+    fetched += static_cast<std::size_t>(fetched < doomed_count_);
   }
   return true;
 }

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "meshing/delaunay/cells.hpp"
+#include "meshing/delaunay/common_unit.hpp"
 #include "meshing/delaunay/four_facets.hpp"
 #include "meshing/delaunay/local_vertices.hpp"
 #include "meshing/delaunay/site.hpp"
@@ -66,6 +67,11 @@ class Inserter {
     is_confined_ = true;
   }
   void release() noexcept { is_confined_ = false; }
+  /// A place inside of the hull, more or less: the nearer to its middle, the shorter the walks over
+  /// the hull. None need end if it is not.
+  void look_from(const Site& centre) noexcept { centre_ = centre; }
+  /// Of all sites that are to be inserted.
+  void use(const CommonUnit& unit) noexcept { short_below_ = unit.short_below(); }
   /// Sites and claims have moved; there may be more of them.
   void use(const Site* sites, Claim* claims) noexcept;
 
@@ -104,6 +110,8 @@ class Inserter {
   [[nodiscard]] Neighbors neighbors_of(const Tetrahedron& cell) const noexcept;
   [[nodiscard]] bool leaves_region(const Neighbors& around) const noexcept;
   [[nodiscard]] unsigned conflicting(const Neighbors& around, const Site& p) const;
+  [[nodiscard]] unsigned conflicting_exactly(const Neighbors& around, unsigned facets,
+                                             const Site& p) const;
   [[nodiscard]] bool has_room();
   void make_room();
   void undo();
@@ -112,6 +120,8 @@ class Inserter {
   [[nodiscard]] bool number_vertices();
   void link();
   void link_by_sorting();
+  [[nodiscard]] Index first_on_hull() const noexcept;
+  [[nodiscard]] Index visible_from(const Site& p) const;
   [[nodiscard]] unsigned facets_towards(const Tetrahedron& cell, unsigned entered,
                                         const Site& p) const;
   [[nodiscard]] unsigned facets_within(const Tetrahedron& cell) const noexcept;
@@ -123,6 +133,8 @@ class Inserter {
   const FourFacets& signs_;
   Region region_;
   bool is_confined_ = false;
+  Site centre_;
+  double short_below_ = -1;  ///< as for FourFacets::conflict()
   LocalVertices<Index> locals_;
   std::vector<Index> edges_;  ///< references, by two local numbers
   /// The cells of the cavity: references to the facets through which they were found, of the first

@@ -1,6 +1,6 @@
 hexatlas_layer(meshing/delaunay
   HEADERS triangulation.hpp
-  SOURCES builder.cpp builder.hpp cells.hpp four_facets.hpp four_facets_avx2.cpp
+  SOURCES builder.cpp builder.hpp cells.hpp common_unit.hpp four_facets.hpp four_facets_avx2.cpp
     four_facets_body.hpp four_facets_plain.cpp inserter.cpp inserter.hpp local_vertices.hpp
     page_buffer.hpp parts.hpp site.hpp space_order.cpp space_order.hpp triangulation.cpp
   USES enum/core enum/parallel realize/exact meshing/mesh)

@@ -1,22 +1,28 @@
-// Claim. A sign that is proven is right; a facet with a point that is not a number is not decided;
-// for points in general position nearly all are. So for each of the implementations.
-// Oracle. Exact signs of realize/exact, for each of the four facets.
+// Claim. A sign that is proven is right, with the ghost vertex too; for points in general position
+// nearly all are proven; ties of short integers are. So for each of the implementations.
+// Oracle. Exact signs of realize/exact, for each of the four facets; for ties, elimination over
+// integers of any length.
 #include "meshing/delaunay/four_facets.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "meshing/delaunay/common_unit.hpp"
 #include "meshing/delaunay/site.hpp"
 #include "realize/exact/in_sphere.hpp"
 #include "realize/exact/orientation.hpp"
 #include "tests/meshing/delaunay/clouds.hpp"
+#include "tests/realize/exact/in_sphere_oracle.hpp"
 
 namespace {
 
@@ -55,37 +61,74 @@ Sign expected_beyond(const Query& q, unsigned j) {
   return exact::opposite(exact::sign_of_orientation(t[0], t[1], t[2], t[3]));
 }
 
+bool is_ghost(const exact::Point3& p) { return std::isnan(p.x); }
+
 /// The tetrahedron beyond is right-handed with the apex in place of the vertex and two exchanged.
-Sign expected_conflict(const Query& q, unsigned j) {
+std::array<exact::Point3, 4> beyond_facet(const Query& q, unsigned j) {
   std::array<exact::Point3, 4> t{};
   for (unsigned i = 0; i < 4; ++i) t[i] = (i == (j + 3) % 4 ? q.apexes[j] : q.corners[i]).point();
   std::swap(t[j], t[(j + 1) % 4]);
-  return exact::sign_of_in_sphere(t[0], t[1], t[2], t[3], q.p.point());
+  return t;
+}
+
+bool are_different(std::array<exact::Point3, 4> t, const exact::Point3& p) {
+  for (unsigned i = 0; i < 4; ++i) {
+    if (t[i] == p) return false;
+    for (unsigned k = 0; k < i; ++k)
+      if (t[i] == t[k]) return false;
+  }
+  return true;
+}
+
+/// None if it does not matter: for equal points.
+std::optional<Sign> expected_conflict(const Query& q, unsigned j) {
+  std::array<exact::Point3, 4> t = beyond_facet(q, j);
+  const auto ghost = std::find_if(t.begin(), t.end(), is_ghost);
+  if (ghost != t.end()) {
+    *ghost = q.p.point();
+    return exact::sign_of_orientation(t[0], t[1], t[2], t[3]);
+  }
+  if (!are_different(t, q.p.point())) return std::nullopt;
+  return exact::sign_of_perturbed_in_sphere(t[0], t[1], t[2], t[3], q.p.point());
+}
+
+double short_below(const Query& q) {
+  delaunay::CommonUnit unit;
+  for (unsigned i = 0; i < 4; ++i)
+    for (const Site* site : {&q.corners[i], &q.apexes[i]})
+      if (!is_ghost(site->point())) unit.include(*site);
+  unit.include(q.p);
+  return unit.short_below();
 }
 
 struct Tally {
   std::size_t asked = 0, undecided = 0;
-  void add(const FacetSigns& signs, unsigned j, Sign expected) {
+  void add(const FacetSigns& signs, unsigned j, std::optional<Sign> expected) {
+    if (!expected) return;
     ++asked;
     if ((signs.undecided >> j & 1U) != 0) {
       ++undecided;
       return;
     }
-    ASSERT_NE(expected, Sign::zero);
-    ASSERT_EQ((signs.positive >> j & 1U) != 0, expected == Sign::positive);
+    ASSERT_NE(*expected, Sign::zero);
+    ASSERT_EQ((signs.positive >> j & 1U) != 0, *expected == Sign::positive);
   }
 };
 
-void compare(const FourFacets& functions, const Query& q, Tally& beyond, Tally& conflict) {
+FacetSigns conflict(const FourFacets& functions, const Query& q, unsigned wanted = 15) {
+  return functions.conflict(addresses(q.corners), addresses(q.apexes), q.p, wanted, short_below(q));
+}
+
+void compare(const FourFacets& functions, const Query& q, Tally& beyond, Tally& conflicts) {
   const FacetSigns b = functions.beyond(addresses(q.corners), q.p);
-  const FacetSigns c = functions.conflict(addresses(q.corners), addresses(q.apexes), q.p);
+  const FacetSigns c = conflict(functions, q);
   for (const FacetSigns& signs : {b, c}) {
     ASSERT_EQ(signs.positive & signs.undecided, 0U);
     ASSERT_LT(signs.positive | signs.undecided, 16U);
   }
   for (unsigned j = 0; j < 4; ++j) {
     beyond.add(b, j, expected_beyond(q, j));
-    conflict.add(c, j, expected_conflict(q, j));
+    conflicts.add(c, j, expected_conflict(q, j));
   }
 }
 
@@ -165,6 +208,46 @@ TEST(FourFacets, AreRightForAnySizes) {
   }
 }
 
+/// Long and thin tetrahedra: the bounds of their own points decide what those of a cube do not.
+TEST(FourFacets, DecideUnevenPoints) {
+  for (const auto& [name, functions] : implementations()) {
+    Random random(20261244);
+    Tally beyond, conflict;
+    for (int trial = 0; trial < 20000; ++trial) {
+      Cloud nine = uniform(9, random);
+      for (mesh::Point& p : nine) {
+        const double size = std::pow(2.0, -static_cast<double>(random() % 12));
+        p = {size * p.x, size * p.y, size * size * p.z};
+      }
+      compare(*functions, query_of(nine), beyond, conflict);
+      if (HasFatalFailure()) return;
+    }
+    EXPECT_LT(static_cast<double>(conflict.undecided), 1e-3 * static_cast<double>(conflict.asked));
+  }
+}
+
+/// One point so near to p that its squared distance underflows, in the plane that touches the
+/// sphere of the others at p, but for their roundings. Those may be far away.
+TEST(FourFacets, AreRightBesideWhatUnderflows) {
+  for (const auto& [name, functions] : implementations()) {
+    Random random(20261249);
+    Tally beyond, conflict;
+    for (int trial = 0; trial < 3000; ++trial) {
+      Cloud nine = sphere(9, random);
+      const int far = static_cast<int>(random() % 180) - 20;
+      for (mesh::Point& p : nine)
+        p = {std::ldexp(p.x, far), std::ldexp(p.y, far), std::ldexp(p.z + 1, far)};
+      const int near = -440 - static_cast<int>(random() % 110);
+      nine[random() % 8] = {std::ldexp(unit(random) - 0.5, near),
+                            std::ldexp(unit(random) - 0.5, near), 0};
+      nine[8] = {0, 0, 0};
+      compare(*functions, query_of(nine), beyond, conflict);
+      if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(conflict.undecided, 1000U);
+  }
+}
+
 TEST(FourFacets, DecideNothingThatIsZero) {
   for (const auto& [name, functions] : implementations()) {
     Random random(20261244);
@@ -174,39 +257,120 @@ TEST(FourFacets, DecideNothingThatIsZero) {
       compare(*functions, query_of(real(random_lattice(9, 3, random))), beyond, conflict);
       if (HasFatalFailure()) return;
     }
+    EXPECT_GT(conflict.undecided, 500U);
   }
 }
 
-TEST(FourFacets, DoNotDecideWhatIsNotANumber) {
+/// Moved far away, of any size that counts; near the limit of what is short, too.
+TEST(FourFacets, DecideTiesOfShortIntegers) {
+  for (const auto& [name, functions] : implementations()) {
+    Random random(20261246);
+    std::size_t ties = 0, beyond_limit = 0;
+    for (int trial = 0; trial < 1500; ++trial) {
+      constexpr std::array<std::int64_t, 6> kRanges{1, 2, 3, 20, 208, 260};
+      const std::int64_t range = kRanges[random() % kRanges.size()];
+      std::vector<Lattice> nine = trial % 3 == 0   ? some_of(lattice_sphere(26), 9, random)
+                                  : trial % 3 == 1 ? random_lattice(9, range, random)
+                                                   : some_of(lattice_box(3, 3, 3), 9, random);
+      // Boxes of any proportions have their corners on a sphere.
+      Lattice factors{1, 1, 1};
+      if (trial % 3 == 0) factors.fill(1 + static_cast<std::int64_t>(random() % 40));
+      if (trial % 3 == 2)
+        for (std::int64_t& f : factors) f = random() % 2 == 0 ? 1 : 200;
+      const std::int64_t shift = trial % 2 == 0 ? 0 : std::int64_t{1} << (random() % 52);
+      for (Lattice& p : nine)
+        for (std::size_t k = 0; k < 3; ++k) p[k] = p[k] * factors[k] + shift;
+      constexpr std::array kScales{0, -60, 20, -120, 100};
+      const Query q = query_of(real(nine, std::ldexp(1, kScales[random() % kScales.size()])));
+      const FacetSigns signs = conflict(*functions, q);
+      for (unsigned j = 0; j < 4; ++j) {
+        const auto t = beyond_facet(q, j);
+        const in_sphere_oracle::Tuple five{t[0], t[1], t[2], t[3], q.p.point()};
+        if (!are_different(t, q.p.point())) continue;
+        const int expected = in_sphere_oracle::perturbed_in_sphere(five);
+        if (trial % 3 == 1 && range > 208) {  // may be too long to be proven
+          ++beyond_limit;
+          if ((signs.undecided >> j & 1U) != 0) continue;
+        }
+        ASSERT_EQ((signs.undecided >> j & 1U) != 0, expected == 0) << name;
+        ASSERT_EQ((signs.positive >> j & 1U) != 0, expected > 0) << name;
+        if (in_sphere_oracle::in_sphere(five) == 0) ++ties;
+      }
+    }
+    EXPECT_GT(ties, 1000U);
+    EXPECT_GT(beyond_limit, 100U);
+  }
+}
+
+/// For the facets that matter: what is said of the others is right all the same.
+TEST(FourFacets, DecideTiesOfTheFacetsThatMatter) {
+  for (const auto& [name, functions] : implementations()) {
+    Random random(20261247);
+    Tally tally;
+    for (int trial = 0; trial < 5000; ++trial) {
+      const Query q = query_of(real(some_of(lattice_box(3, 3, 3), 9, random)));
+      const auto wanted = static_cast<unsigned>(random() % 16);
+      const FacetSigns all = conflict(*functions, q), some = conflict(*functions, q, wanted);
+      ASSERT_EQ(some.undecided & wanted, all.undecided & wanted);
+      for (unsigned j = 0; j < 4; ++j) tally.add(some, j, expected_conflict(q, j));
+      if (HasFatalFailure()) return;
+    }
+    EXPECT_GT(tally.undecided, 1000U);
+  }
+}
+
+/// At a corner, at all apexes in turn, and with a point in the plane of the facet of the hull.
+TEST(FourFacets, KnowTheGhostVertex) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   const Site nowhere{kNaN, kNaN, kNaN, 0};
   for (const auto& [name, functions] : implementations()) {
     Random random(20261245);
-    for (int trial = 0; trial < 200; ++trial) {
-      for (unsigned i = 0; i < 4; ++i) {
-        const Query whole = query_of(uniform(9, random));
-        Query q = whole;
-        q.corners[i] = nowhere;
-        const unsigned with_corner = 15U & ~(1U << (i + 1) % 4);  // all but the opposite facet
-        const auto b = functions->beyond(addresses(q.corners), q.p);
-        auto c = functions->conflict(addresses(q.corners), addresses(q.apexes), q.p);
-        EXPECT_EQ(b.undecided & with_corner, with_corner);
-        EXPECT_EQ(c.undecided & with_corner, with_corner);
-        EXPECT_EQ((b.positive | c.positive) & with_corner, 0U);
-        const auto b0 = functions->beyond(addresses(whole.corners), whole.p);
-        const auto c0 =
-            functions->conflict(addresses(whole.corners), addresses(whole.apexes), whole.p);
-        EXPECT_EQ(b.positive & ~with_corner, b0.positive & ~with_corner);
-        EXPECT_EQ(c.positive & ~with_corner, c0.positive & ~with_corner);
-        q = whole;
-        q.apexes[i] = nowhere;
-        c = functions->conflict(addresses(q.corners), addresses(q.apexes), q.p);
-        EXPECT_EQ(c.undecided >> i & 1U, 1U);
-        EXPECT_EQ(c.positive, c0.positive & ~(1U << i));
-        EXPECT_EQ(c.undecided, c0.undecided | 1U << i);
+    Tally general, lattice, tiny;
+    for (int trial = 0; trial < 3000; ++trial)
+      for (unsigned i = 0; i < 8; ++i) {
+        const auto with_ghost = [&](const Cloud& nine) {
+          Query q = query_of(nine);
+          (i < 4 ? q.corners[i] : q.apexes[i - 4]) = nowhere;
+          return q;
+        };
+        const auto add = [&](const Query& q, Tally& tally) {
+          const FacetSigns signs = conflict(*functions, q);
+          for (unsigned j = 0; j < 4; ++j) tally.add(signs, j, expected_conflict(q, j));
+        };
+        Cloud small = uniform(9, random);
+        const int scale = static_cast<int>(random() % 300) - 200;
+        for (mesh::Point& p : small)
+          p = {std::ldexp(p.x, scale), std::ldexp(p.y, scale), std::ldexp(p.z, scale)};
+        add(with_ghost(uniform(9, random)), general);
+        add(with_ghost(real(random_lattice(9, 2, random))), lattice);
+        add(with_ghost(small), tiny);
+        if (HasFatalFailure()) return;
       }
-    }
+    EXPECT_LT(static_cast<double>(general.undecided), 1e-3 * static_cast<double>(general.asked));
+    EXPECT_GT(lattice.undecided, 1000U);
+    EXPECT_LT(lattice.undecided, lattice.asked / 2);
+    EXPECT_LT(tiny.undecided, tiny.asked);
   }
+}
+
+TEST(CommonUnit, IsTheLowestBit) {
+  Random random(20261248);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const auto odd = static_cast<double>(random() >> (11U + random() % 53U) | 1U);
+    const int exponent = static_cast<int>(random() % 1900) - 1074;
+    ASSERT_EQ(delaunay::lowest_bit(std::ldexp(random() % 2 == 0 ? odd : -odd, exponent)),
+              std::ldexp(1, exponent));
+  }
+  EXPECT_EQ(delaunay::lowest_bit(0.0), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(delaunay::lowest_bit(-0.0), std::numeric_limits<double>::infinity());
+  delaunay::CommonUnit unit;
+  EXPECT_LT(unit.short_below(), 0);
+  unit.include({0x1p7, 0x3p4, 0, 0});
+  EXPECT_EQ(unit.short_below(), 0x1p27);
+  unit.include({0x1p-180, 0, 0, 0});
+  EXPECT_EQ(unit.short_below(), 0x1p-341);
+  unit.include({0x1p-181, 0, 0, 0});
+  EXPECT_LT(unit.short_below(), 0);
 }
 
 }  // namespace

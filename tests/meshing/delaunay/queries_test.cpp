@@ -163,6 +163,23 @@ TEST(Insert, IsAsFromScratch) {
   }
 }
 
+/// Coordinates that are longer than those of all points so far, and nearly on spheres of these.
+TEST(Insert, BesideALattice) {
+  Random random(20261250);
+  Cloud points = real(lattice_box(5, 5, 5));
+  Triangulation made(points);
+  for (int i = 0; i < 300; ++i) {
+    const auto coordinate = [&] {
+      return static_cast<double>(1 + random() % 7) / 2 +
+             0x1p-51 * static_cast<double>(random() % 3);
+    };
+    points.push_back({coordinate(), coordinate(), coordinate()});
+    made.insert(points.back());
+  }
+  ASSERT_EQ(made.tetrahedra(), Triangulation(points).tetrahedra());
+  ASSERT_EQ(broken_law(points, made.tetrahedra()), "");
+}
+
 TEST(Insert, ManyPointsAfterAFew) {
   Random random(20261234);
   const Cloud points = uniform(3000, random);
