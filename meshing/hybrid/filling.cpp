@@ -15,9 +15,9 @@ constexpr CellShape with_table(CellShape shape) {
   for (unsigned set = 0; set < 256; ++set) {
     shape.face_of[set] = kNoFace;
     if (std::popcount(set) < 3) continue;
-    for (std::uint8_t f = 0; f < shape.faces.size(); ++f)
+    for (std::size_t f = 0; f < shape.faces.size(); ++f)
       if (shape.sizes[f] > 0 && (set & ~set_of_face(shape.faces[f], shape.sizes[f])) == 0)
-        shape.face_of[set] = f;
+        shape.face_of[set] = static_cast<std::uint8_t>(f);
   }
   return shape;
 }
@@ -144,7 +144,8 @@ bool Filler::complete(Work& work) const {
 
 std::optional<Filling> Filler::filling(const CellShape& shape, std::span<const Index> vertices,
                                        TetIndex start) {
-  for (std::uint8_t i = 0; i < vertices.size(); ++i) corner_of_[vertices[i]] = i;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    corner_of_[vertices[i]] = static_cast<std::uint8_t>(i);
   Work work{shape};
   work.flat.fill(TetGraph::kOutside);
   bool is_good = visit(work, start);

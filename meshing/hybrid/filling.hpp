@@ -82,8 +82,8 @@ class Filler {
   }
   bool visit(Work& work, TetIndex t) const;
   bool cross(Work& work, TetIndex t, unsigned facet) const;
-  bool are_alike(const Work& work, std::size_t face) const;
-  bool is_accepted(const Work& work) const;
+  [[nodiscard]] bool are_alike(const Work& work, std::size_t face) const;
+  [[nodiscard]] bool is_accepted(const Work& work) const;
   bool complete(Work& work) const;
 
   const TetGraph* graph_;

@@ -40,9 +40,7 @@ bool comes_before(const Side& a, const Side& b) {
   return a.owner < b.owner;
 }
 
-bool is_even(const Triangle& t) {
-  return (t[0] > t[1]) ^ (t[1] > t[2]) ^ (t[0] > t[2]) ? false : true;
-}
+bool is_even(const Triangle& t) { return ((t[0] > t[1]) != (t[1] > t[2])) == (t[0] > t[2]); }
 
 Triangle facet_of(const Tetrahedron& tetrahedron, unsigned facet) {
   const auto& corner = kFacetFrom[facet];
