@@ -105,9 +105,8 @@ class Filling {
       : surface_(std::move(surface)), options_(options), given_(surface_.points().size()) {}
 
   std::variant<Filled, BrokenLaw> run() {
-    result_.spacing = options_.spacing > 0
-                          ? options_.spacing
-                          : usual_side(surface_.points(), surface_.triangles());
+    result_.spacing = options_.spacing > 0 ? options_.spacing
+                                           : usual_side(surface_.points(), surface_.triangles());
     auto lattice = lattice_points(surface_.points(), surface_.triangles(), result_.spacing,
                                   options_.clearance);
     if (const auto* fault = std::get_if<BrokenLaw>(&lattice)) return *fault;
@@ -220,7 +219,7 @@ class Filling {
 
 void expect_sound(const LatticeOptions& options) {
   core::expects(std::isfinite(options.spacing) && options.spacing >= 0, "a spacing, or 0");
-  core::expects(std::isfinite(options.clearance) && options.clearance >= 0, "clearance >= 0");
+  core::expects(std::isfinite(options.clearance) && options.clearance > 0, "clearance > 0");
   core::expects(options.flatness >= 0, "flatness >= 0");
   core::expects(options.rounds >= 1 && options.threads >= 1, "rounds >= 1, threads >= 1");
 }

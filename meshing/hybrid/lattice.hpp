@@ -28,7 +28,7 @@
 /// only. Distances, in double precision, decide which points the lattice has and nothing else.
 ///
 /// Requires. Finite coordinates, indices below points.size(), threads >= 1, spacing >= 0 and
-/// clearance >= 0, both finite, flatness >= 0, rounds >= 1; else PreconditionViolated.
+/// clearance > 0, both finite, flatness >= 0, rounds >= 1; else PreconditionViolated.
 /// Refused, as a broken law: quads, no triangles, triangles without area, points at one place, an
 /// edge that is not in two triangles, surfaces that meet themselves; lattices of more than 2^28
 /// places; surfaces that could not be recovered, which have sharp angles or parts that are
@@ -36,8 +36,7 @@
 /// The orientation of the triangles is of no account. Several closed surfaces inside each other
 /// are allowed: holes. Surfaces that touch at a point are allowed, at an edge not.
 /// Cost. Some 20 microseconds per point and round, few rounds; a byte for each place of the lattice
-/// in the bounding box. Not promised: shape of the tetrahedra; that sharp features survive a
-/// clearance below 1/2, as then tetrahedra at the surface can be flat.
+/// in the bounding box. Not promised: shape of the tetrahedra.
 
 #include <cstddef>
 #include <variant>
@@ -51,7 +50,8 @@ struct LatticeOptions {
   /// Of the lattice; 0: the median over the triangles of the mean of the two shorter sides, which
   /// is the side of the squares if the triangles are halves of squares.
   double spacing = 0;
-  double clearance = 0.6;        ///< times the spacing
+  /// Times the spacing. Hexahedra are most for 0.45 to 0.5, but near curved surfaces flatter.
+  double clearance = 0.5;
   bool keeps_diagonals = false;  ///< exchange none: the input's triangles stay, or are split
   /// A pair of triangles is flat if it leaves a plane by at most this times its diagonal.
   double flatness = 1e-8;
@@ -71,7 +71,7 @@ struct Filled {
   double spacing = 0;  ///< that was used
 };
 
-/// Only in degrees: a greater angle between the planes of two triangles separates two colours.
+/// In degrees: a greater angle between the planes of two triangles separates two colours.
 inline constexpr double kSharpAngle = 40;
 
 [[nodiscard]] std::variant<Filled, complex::BrokenLaw> fill_with_lattice(

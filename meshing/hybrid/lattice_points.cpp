@@ -59,9 +59,9 @@ class Lattice {
     Places first{};
     Places last{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto [low, high] = std::minmax({coordinate(corners[0], axis),
-                                            coordinate(corners[1], axis),
-                                            coordinate(corners[2], axis)});
+      const auto [low, high] =
+          std::minmax({coordinate(corners[0], axis), coordinate(corners[1], axis),
+                       coordinate(corners[2], axis)});
       const auto& planes = planes_[axis];
       first[axis] = static_cast<std::size_t>(
           std::lower_bound(planes.begin(), planes.end(), low - reach) - planes.begin());
@@ -166,10 +166,10 @@ double usual_side(std::span<const mesh::Point> points,
                   std::span<const std::array<mesh::Index, 3>> triangles) {
   std::vector<double> sides;
   for (const auto& [a, b, c] : triangles) {
-    const double ab = distance(points[a], points[b]);
-    const double bc = distance(points[b], points[c]);
-    const double ca = distance(points[c], points[a]);
-    sides.push_back((ab + bc + ca - std::max({ab, bc, ca})) / 2);
+    std::array<double, 3> side{distance(points[a], points[b]), distance(points[b], points[c]),
+                               distance(points[c], points[a])};
+    std::sort(side.begin(), side.end());
+    sides.push_back((side[0] + side[1]) / 2);
   }
   const auto middle = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2);
   std::nth_element(sides.begin(), middle, sides.end());
@@ -181,9 +181,10 @@ std::variant<std::vector<mesh::Point>, complex::BrokenLaw> lattice_points(
     double spacing, double clearance) {
   Lattice lattice(points, spacing);
   if (!(lattice.places() <= kMostPlaces))
-    return complex::BrokenLaw{"the lattice would have more than 2^28 places in the bounding box: "
-                              "the spacing " +
-                              std::to_string(spacing) + " is too small"};
+    return complex::BrokenLaw{
+        "the lattice would have more than 2^28 places in the bounding box: "
+        "the spacing " +
+        std::to_string(spacing) + " is too small"};
   lattice.allocate();
   // A step that crosses the surface has an end that is at most half a step away from it.
   const double wall = lattice.greatest_step() * (0.5 + 1e-9);

@@ -20,13 +20,7 @@ using Triangle = ClosedSurface::Triangle;
 constexpr int kMostExchanges = 30;
 constexpr std::size_t kLongestRing = 24;
 
-std::string name_of(std::span<const Index> vertices) {
-  std::string result;
-  for (const Index v : vertices) result += (result.empty() ? "" : " ") + std::to_string(v);
-  return result;
-}
-
-/// Six times the volume by the cube of the longest edge, at most 1/2 sqrt 2... 0 if inverted.
+/// Six times the volume by the cube of the longest edge; positive exactly if right-handed, else 0.
 double shape(const FlippedTets& tets, const Tetrahedron& t) {
   if (tets.orientation(t[0], t[1], t[2], t[3]) != Sign::positive) return 0;
   std::array<Vector, 4> p{};
@@ -36,7 +30,8 @@ double shape(const FlippedTets& tets, const Tetrahedron& t) {
     for (std::size_t j = 0; j < i; ++j) longest = std::max(longest, distance(p[i], p[j]));
   const double volume =
       dot(difference(p[1], p[0]), cross(difference(p[2], p[0]), difference(p[3], p[0])));
-  return std::max(volume / (longest * longest * longest), 1e-30);
+  constexpr double kLeast = 1e-30;  // where rounding sees no volume, the exact sign does
+  return std::max(volume / (longest * longest * longest), kLeast);
 }
 
 /// The best triangulation of the polygon around an edge.
@@ -143,10 +138,12 @@ class Recovery {
     std::vector<Index> face;
   };
 
-  bool report(std::span<const Index> one, std::span<const Index> other) {
-    crossing_ = complex::BrokenLaw{"the surface meets itself: vertices " + name_of(one) +
-                                   " and vertices " + name_of(other) +
-                                   " (those above the surface's own number were added on it)"};
+  /// A vertex of the surface near which an edge or a triangle of it meets another. False: nothing
+  /// was recovered.
+  bool report(Index v) {
+    const mesh::Point& p = tets_.points()[v];
+    crossing_ = complex::BrokenLaw{"the surface meets itself near (" + std::to_string(p.x) + ", " +
+                                   std::to_string(p.y) + ", " + std::to_string(p.z) + ")"};
     return false;
   }
 
@@ -198,13 +195,13 @@ class Recovery {
     const Exit exit = exit_of(u, v);
     const std::array<Index, 2> edge{u, v};
     const auto& face = exit.face;
-    if (face.size() == 1) return report(edge, face);
+    if (face.size() == 1) return report(face[0]);
     if (face.size() == 2) {
-      if (surface_.has_edge(face[0], face[1])) return report(edge, face);
+      if (surface_.has_edge(face[0], face[1])) return report(face[0]);
       return remove_edge(face[0], face[1], exit.t, edge) ||
              remove_edge(face[0], face[1], exit.t, {});
     }
-    if (surface_.has_triangle(face[0], face[1], face[2])) return report(edge, face);
+    if (surface_.has_triangle(face[0], face[1], face[2])) return report(face[0]);
     const TetIndex beyond = tets_.across(exit.t, place_of(tets_[exit.t], u));
     if (beyond == FlippedTets::kOutside) return false;
     if (remove_facet(exit.t, beyond, u)) return true;
@@ -284,9 +281,9 @@ class Recovery {
       const Index q = ring->vertices[(i + 1) % ring->vertices.size()];
       const Sign before = tets_.orientation(u, v, p, w);
       const Sign after = tets_.orientation(u, v, w, q);
-      if (before == Sign::zero && after == Sign::positive) return report(t, std::array{p});
+      if (before == Sign::zero && after == Sign::positive) return report(p);
       if (before != Sign::positive || after != Sign::positive) continue;
-      if (surface_.has_edge(p, q)) return report(t, std::array{p, q});
+      if (surface_.has_edge(p, q)) return report(p);
       return remove_edge(p, q, ring->tetrahedra[i], t) ||
              remove_edge(p, q, ring->tetrahedra[i], {});
     }

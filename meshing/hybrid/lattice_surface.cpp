@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -37,9 +36,8 @@ std::optional<BrokenLaw> fault_of_facets(const mesh::FacetMesh& surface) {
   for (std::size_t i = 0; i < surface.facets.size(); ++i) {
     const mesh::Facet& facet = surface.facets[i];
     if (facet.size != 3)
-      return BrokenLaw{"facet " + std::to_string(i) + " is a quad: the surface has to be of " +
-                           "triangles",
-                       i};
+      return BrokenLaw{
+          "facet " + std::to_string(i) + " is a quad: the surface has to be of " + "triangles", i};
     const auto& v = facet.vertices;
     for (std::size_t k = 0; k < 3; ++k)
       core::expects(v[k] < surface.points.size() && mesh::is_finite(surface.points[v[k]]),
@@ -50,19 +48,16 @@ std::optional<BrokenLaw> fault_of_facets(const mesh::FacetMesh& surface) {
   return std::nullopt;
 }
 
-std::optional<BrokenLaw> fault_of_places(const std::vector<mesh::Point>& points) {
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto place = [&](std::size_t i) {
-    return std::tuple(points[i].x, points[i].y, points[i].z);
-  };
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return place(i) != place(j) ? place(i) < place(j) : i < j;
-  });
-  for (std::size_t i = 1; i < order.size(); ++i)
-    if (points[order[i]] == points[order[i - 1]])
-      return BrokenLaw{"points " + std::to_string(order[i - 1]) + " and " +
-                       std::to_string(order[i]) + " of the surface are at the same place"};
+/// Of the points that are used.
+std::optional<BrokenLaw> fault_of_places(const std::vector<mesh::Point>& points,
+                                         std::vector<Index> used) {
+  const auto place = [&](Index v) { return std::tuple(points[v].x, points[v].y, points[v].z); };
+  std::sort(used.begin(), used.end(),
+            [&](Index v, Index w) { return place(v) != place(w) ? place(v) < place(w) : v < w; });
+  for (std::size_t i = 1; i < used.size(); ++i)
+    if (points[used[i]] == points[used[i - 1]])
+      return BrokenLaw{"points " + std::to_string(used[i - 1]) + " and " + std::to_string(used[i]) +
+                       " of the surface are at the same place"};
   return std::nullopt;
 }
 
@@ -97,9 +92,11 @@ std::variant<ClosedSurface, BrokenLaw> ClosedSurface::of(const mesh::FacetMesh& 
   for (const mesh::Facet& facet : surface.facets)
     for (std::size_t k = 0; k < 3; ++k) renamed[facet.vertices[k]] = 0;
   ClosedSurface result(flatness);
+  std::vector<Index> used;
   for (std::size_t v = 0; v < renamed.size(); ++v) {
     if (renamed[v] == kNone) continue;
-    renamed[v] = static_cast<Index>(result.points_.size());
+    renamed[v] = static_cast<Index>(used.size());
+    used.push_back(static_cast<Index>(v));
     result.points_.push_back(surface.points[v]);
   }
   std::vector<Triangle> as_given;
@@ -109,7 +106,7 @@ std::variant<ClosedSurface, BrokenLaw> ClosedSurface::of(const mesh::FacetMesh& 
     result.triangles_.push_back({renamed[v[0]], renamed[v[1]], renamed[v[2]]});
   }
   if (auto fault = fault_of_edges(as_given)) return *fault;
-  if (auto fault = fault_of_places(result.points_)) return *fault;
+  if (auto fault = fault_of_places(surface.points, used)) return *fault;
   result.at_.reserve(result.triangles_.size() * 3 / 2);
   for (std::uint32_t t = 0; t < result.triangles_.size(); ++t) result.attach(t);
   result.colour();

@@ -123,8 +123,8 @@ void FlippedTets::replace(std::span<const TetIndex> old, std::span<const Tetrahe
       OwnedFacet facet = owned_facet(tetrahedra_[t], t, i);
       if (beyond != kOutside)
         for (std::size_t j = 0; j < 4; ++j)
-          if (across(beyond, j) == t && owned_facet(tetrahedra_[beyond], beyond, j).vertices ==
-                                            facet.vertices)
+          if (across(beyond, j) == t &&
+              owned_facet(tetrahedra_[beyond], beyond, j).vertices == facet.vertices)
             facet.owner = static_cast<std::uint32_t>(4 * beyond + j);
       open.push_back({facet, beyond == kOutside});
     }

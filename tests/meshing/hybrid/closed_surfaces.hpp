@@ -50,8 +50,8 @@ inline mesh::FacetMesh surface_of_cubes(Place size, const std::function<bool(Pla
   const auto vertex = [&](Place p) {
     const auto [it, is_new] = names.try_emplace(p, static_cast<Index>(result.points.size()));
     if (is_new)
-      result.points.push_back({static_cast<double>(p[0]), static_cast<double>(p[1]),
-                               static_cast<double>(p[2])});
+      result.points.push_back(
+          {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])});
     return it->second;
   };
   Random random(1);
@@ -146,10 +146,10 @@ inline mesh::FacetMesh cylinder(double radius, double height, int n, int m) {
     const double y = 2 * p.y / n - 1;
     const double ring = std::max(std::abs(x), std::abs(y));  // of squares, made one of circles
     if (ring > 0) {
-      const double angle = std::abs(x) >= std::abs(y)
-                               ? std::numbers::pi / 4 * y / x + (x < 0 ? std::numbers::pi : 0)
-                               : std::numbers::pi / 2 * (y < 0 ? -1 : 1) -
-                                     std::numbers::pi / 4 * x / y;
+      const double angle =
+          std::abs(x) >= std::abs(y)
+              ? std::numbers::pi / 4 * y / x + (x < 0 ? std::numbers::pi : 0)
+              : std::numbers::pi / 2 * (y < 0 ? -1 : 1) - std::numbers::pi / 4 * x / y;
       p.x = radius * ring * std::cos(angle);
       p.y = radius * ring * std::sin(angle);
     } else {
