@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <string>
 
 #include "meshing/hybrid/lattice_vectors.hpp"
@@ -37,6 +38,76 @@ double distance_to_triangle(const mesh::Point& p, const Corners& corners) {
     if (dot(cross(difference(to, from), difference(p, from)), normal) < 0) is_above = false;
   }
   return is_above ? std::min(least, std::abs(dot(difference(p, a), normal)) / norm(normal)) : least;
+}
+
+/// Three directions at right angles to each other.
+using Frame = std::array<Vector, 3>;
+
+constexpr Frame kAxes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+mesh::Point in_frame(const mesh::Point& p, const Frame& f) {
+  return {dot(p, f[0]), dot(p, f[1]), dot(p, f[2])};
+}
+
+mesh::Point from_frame(const mesh::Point& p, const Frame& f) {
+  return {p.x * f[0].x + p.y * f[1].x + p.z * f[2].x, p.x * f[0].y + p.y * f[1].y + p.z * f[2].y,
+          p.x * f[0].z + p.y * f[1].z + p.z * f[2].z};
+}
+
+bool is_axis(const Vector& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z) < 1 + 1e-9; }
+
+/// A direction of planes, one of two that are opposite, and the area of the triangles in them.
+struct Flat {
+  Vector normal;
+  double area = 0;
+};
+
+/// By area, the greatest first.
+std::vector<Flat> flats(std::span<const mesh::Point> points,
+                        std::span<const std::array<mesh::Index, 3>> triangles) {
+  constexpr double kCells = 1e6;  // normals in the same cell of this many along each axis are one
+  std::map<std::array<double, 3>, Flat> found;
+  for (const auto& [a, b, c] : triangles) {
+    Vector n = cross(difference(points[b], points[a]), difference(points[c], points[a]));
+    const double area = norm(n);
+    if (!(area > 0)) continue;
+    n = {n.x / area, n.y / area, n.z / area};
+    std::array<double, 3> key{std::round(n.x * kCells), std::round(n.y * kCells),
+                              std::round(n.z * kCells)};
+    if (key < std::array<double, 3>{}) {
+      n = {-n.x, -n.y, -n.z};
+      key = {-key[0], -key[1], -key[2]};
+    }
+    found.try_emplace({key[0] + 0.0, key[1] + 0.0, key[2] + 0.0}, Flat{n, 0}).first->second.area +=
+        area;
+  }
+  std::vector<Flat> result;
+  for (const auto& [key, flat] : found) result.push_back(flat);
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Flat& a, const Flat& b) { return a.area > b.area; });
+  return result;
+}
+
+/// Along the normal of the greatest flat part, and of the greatest that is at right angles to it;
+/// the axes if these are such, or if there is no great flat part or no such other.
+Frame frame_of(std::span<const mesh::Point> points,
+               std::span<const std::array<mesh::Index, 3>> triangles) {
+  constexpr double kGreat = 0.05;  // of the area
+  constexpr double kRight = 1e-6;
+  const std::vector<Flat> all = flats(points, triangles);
+  double area = 0;
+  for (const Flat& flat : all) area += flat.area;
+  for (const Flat& flat : all) {
+    const Vector& w = all.front().normal;
+    if (flat.area < kGreat * area) break;
+    if (std::abs(dot(flat.normal, w)) > kRight) continue;
+    if (is_axis(w) && is_axis(flat.normal)) return kAxes;
+    Vector v = cross(w, flat.normal);
+    const double length = norm(v);
+    v = {v.x / length, v.y / length, v.z / length};
+    return {cross(v, w), v, w};
+  }
+  return kAxes;
 }
 
 class Lattice {
@@ -133,7 +204,8 @@ class Lattice {
     constexpr double kSame = 1e-6;
     const double step = length / steps;
     greatest_step_ = std::max(greatest_step_, step);
-    for (double i = 0; i <= steps; ++i) {
+    const auto count = static_cast<int>(steps);
+    for (int i = 0; i <= count; ++i) {
       double value = low + length * (i / steps);
       const auto after = std::lower_bound(values.begin(), values.end(), value);
       for (const auto& it : {after, after == values.begin() ? after : after - 1})
@@ -179,7 +251,11 @@ double usual_side(std::span<const mesh::Point> points,
 std::variant<std::vector<mesh::Point>, complex::BrokenLaw> lattice_points(
     std::span<const mesh::Point> points, std::span<const std::array<mesh::Index, 3>> triangles,
     double spacing, double clearance) {
-  Lattice lattice(points, spacing);
+  const Frame frame = frame_of(points, triangles);
+  std::vector<mesh::Point> turned(points.begin(), points.end());
+  if (frame != kAxes)
+    for (mesh::Point& p : turned) p = in_frame(p, frame);
+  Lattice lattice(turned, spacing);
   if (!(lattice.places() <= kMostPlaces))
     return complex::BrokenLaw{
         "the lattice would have more than 2^28 places in the bounding box: "
@@ -189,9 +265,12 @@ std::variant<std::vector<mesh::Point>, complex::BrokenLaw> lattice_points(
   // A step that crosses the surface has an end that is at most half a step away from it.
   const double wall = lattice.greatest_step() * (0.5 + 1e-9);
   for (const auto& [a, b, c] : triangles)
-    lattice.mark({points[a], points[b], points[c]}, clearance * spacing, wall);
+    lattice.mark({turned[a], turned[b], turned[c]}, clearance * spacing, wall);
   lattice.flood();
-  return lattice.chosen();
+  std::vector<mesh::Point> result = lattice.chosen();
+  if (frame != kAxes)
+    for (mesh::Point& p : result) p = from_frame(p, frame);
+  return result;
 }
 
 }  // namespace hexatlas::hybrid

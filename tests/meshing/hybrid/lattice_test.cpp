@@ -287,6 +287,7 @@ TEST(Lattice, TurnedBoxAndThreadsAndOrientationOfTheInput) {
   const Filled one = filled(surface);
   expect_laws(one, surface);
   EXPECT_EQ(colours(one), 6U);
+  EXPECT_EQ(hexahedra(one), 120U);  // the lattice is turned with the box
   const Filled two = filled(surface, {.threads = 2});
   EXPECT_EQ(one.model.mesh.tetrahedra, two.model.mesh.tetrahedra);
   EXPECT_EQ(one.model.triangles, two.model.triangles);
