@@ -9,13 +9,14 @@
 ///
 /// Method.
 /// - Lattice: parallel to the greatest flat part of the surface and to the greatest at right angles
-///   to it, or to the axes if it has no such parts of a twentieth of its area; from one side of the
-///   bounding box in these directions to the other, in as many steps as come nearest to the
-///   spacing; a plane of it goes through the points of the surface that are on it up to rounding.
-///   Points nearer to the surface than the clearance are left out.
+///   to it, or to the axes if there are no such parts of a twentieth of its area, or no greater
+///   parts along them than along the axes; from one side of the bounding box in these directions to
+///   the other, in as many steps as come nearest to the spacing; a plane of it goes through the
+///   points of the surface that are on it up to rounding. Points nearer to the surface than the
+///   clearance are left out.
 /// - The Delaunay triangulation (meshing/delaunay) of the points, and of eight corners of a great
-///   box around them. Its ties are cut in the same way in all cubes of a lattice
-///   that is parallel to the axes.
+///   box around them. Its ties are cut in the same way in all cubes of a lattice that is parallel
+///   to the axes.
 /// - The surface is recovered: diagonals of flat pairs of triangles are exchanged for those that
 ///   the triangulation has; edges and triangles that it still lacks are made by exchanging the
 ///   tetrahedra at an edge or at a facet for others with the same union (J. R. Shewchuk, "Two

@@ -82,14 +82,23 @@ std::vector<Flat> flats(std::span<const mesh::Point> points,
         area;
   }
   std::vector<Flat> result;
+  result.reserve(found.size());
   for (const auto& [key, flat] : found) result.push_back(flat);
   std::stable_sort(result.begin(), result.end(),
                    [](const Flat& a, const Flat& b) { return a.area > b.area; });
   return result;
 }
 
+/// The area of the flat parts that are at right angles to a direction of the frame.
+double area_along(const Frame& frame, const std::vector<Flat>& all) {
+  double area = 0;
+  for (const Flat& flat : all)
+    if (is_axis(in_frame(flat.normal, frame))) area += flat.area;
+  return area;
+}
+
 /// Along the normal of the greatest flat part, and of the greatest that is at right angles to it;
-/// the axes if these are such, or if there is no great flat part or no such other.
+/// or the axes, if there is no such frame or no more flat area along it.
 Frame frame_of(std::span<const mesh::Point> points,
                std::span<const std::array<mesh::Index, 3>> triangles) {
   constexpr double kGreat = 0.05;  // of the area
@@ -101,11 +110,12 @@ Frame frame_of(std::span<const mesh::Point> points,
     const Vector& w = all.front().normal;
     if (flat.area < kGreat * area) break;
     if (std::abs(dot(flat.normal, w)) > kRight) continue;
-    if (is_axis(w) && is_axis(flat.normal)) return kAxes;
     Vector v = cross(w, flat.normal);
     const double length = norm(v);
     v = {v.x / length, v.y / length, v.z / length};
-    return {cross(v, w), v, w};
+    const Frame frame{cross(v, w), v, w};
+    constexpr double kMore = 1 + 1e-6;
+    return area_along(frame, all) > kMore * area_along(kAxes, all) ? frame : kAxes;
   }
   return kAxes;
 }

@@ -143,9 +143,8 @@ ClosedSurface::Index ClosedSurface::third(std::uint32_t triangle, Index a, Index
 }
 
 bool ClosedSurface::can_exchange(Index a, Index b) const {
-  const Pair& pair = at_.at(key(a, b));
   const auto [c, d] = opposite(a, b);
-  if (colours_[pair[0]] != colours_[pair[1]] || has_edge(c, d)) return false;
+  if (has_edge(c, d)) return false;
   const Vector ab = difference(points_[b], points_[a]);
   const Vector ac = difference(points_[c], points_[a]);
   const Vector ad = difference(points_[d], points_[a]);

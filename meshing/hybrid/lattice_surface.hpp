@@ -37,8 +37,8 @@ class ClosedSurface {
   /// The vertices opposite to an edge.
   [[nodiscard]] Edge opposite(Index a, Index b) const;
 
-  /// Whether the two triangles at an edge are a flat, strictly convex quad of one colour, whose
-  /// other diagonal is no edge.
+  /// Whether the two triangles at an edge are a flat, strictly convex quad, whose other diagonal is
+  /// no edge. They have one colour.
   [[nodiscard]] bool can_exchange(Index a, Index b) const;
   /// Puts in the other diagonal. Requires can_exchange.
   void exchange(Index a, Index b);
