@@ -8,3 +8,6 @@ hexatlas_test(meshing_hybrid_brute_force_test long
 hexatlas_test(meshing_hybrid_threads_test threads
   SOURCES hybrid/threads_test.cpp
   USES meshing_hybrid meshing_delaunay tables_check)
+hexatlas_test(meshing_hybrid_lattice_test fast
+  SOURCES hybrid/lattice_test.cpp
+  USES meshing_hybrid realize_exact)
