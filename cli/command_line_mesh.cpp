@@ -111,6 +111,16 @@ void add_mesh_hybrid(CLI::App& mesh, Action& action) {
       ->excludes(output);
   command->add_option("--candidates", options->candidates,
                       "File for the list of all candidates; - for standard output");
+  auto* fill = command
+                   ->add_option("--fill", options->fill,
+                                "Make the tetrahedra first, inside a closed surface: with points "
+                                "on a lattice")
+                   ->check(CLI::IsMember({"lattice"}));
+  command
+      ->add_option("--spacing", options->spacing,
+                   "Of the lattice [that of squares whose halves are the triangles]")
+      ->check(CLI::PositiveNumber)
+      ->needs(fill);
   command->add_option("--quality", options->quality, "Least scaled Jacobian of a cell, exclusive")
       ->check(CLI::Range(0.0, 0.999))
       ->capture_default_str();
@@ -124,7 +134,8 @@ void add_mesh_hybrid(CLI::App& mesh, Action& action) {
   command->footer(
       "Either --output or --count. Regions and coloured triangles of .mesh and\n"
       ".msh are respected. `hexatlas check --hybrid` judges the mesh.\n" +
-      example("hexatlas mesh hybrid tetrahedra.msh -o hybrid.vtu"));
+      example("hexatlas mesh hybrid tetrahedra.msh -o hybrid.vtu") +
+      example("hexatlas mesh hybrid surface.obj --fill lattice -o hybrid.vtu"));
   command->callback([options, &action] { action = [options] { return mesh_hybrid(*options); }; });
 }
 

@@ -65,6 +65,8 @@ struct MeshHybridOptions {
   std::string output;
   std::string candidates;  ///< file for their list; empty: none
   bool count = false;      ///< no mesh, and no output
+  std::string fill;        ///< "lattice": the input is a surface; empty: tetrahedra
+  double spacing = 0;      ///< of the lattice; 0: by the surface
   double quality = 0.1;    ///< the least, exclusive
   bool conforming = true;
   int rounds = 2;  ///< of exchange

@@ -49,6 +49,13 @@ void add_mesh(nlohmann::ordered_json& json, const HybridAccount& account) {
   json["new_points"] = combined.new_points;
 }
 
+void add_lattice(nlohmann::ordered_json& json, const LatticeAccount& lattice) {
+  json["lattice"] = {{"points", lattice.points},
+                     {"spacing", lattice.spacing},
+                     {"added_on_surface", lattice.added_on_surface},
+                     {"exchanged_diagonals", lattice.exchanged_diagonals}};
+}
+
 std::string classes_line(const std::vector<std::size_t>& counts) {
   std::size_t classes = 0;
   std::size_t most = 0;
@@ -82,6 +89,7 @@ void append(std::string& text, char letter, const hybrid::CandidateList<N>& list
 
 std::string json_line(const HybridAccount& account) {
   nlohmann::ordered_json json;
+  if (account.lattice) add_lattice(json, *account.lattice);
   json["tetrahedra"] = account.tetrahedra;
   json["quality"] = account.quality;
   json["candidates"] = by_shape(account.candidates);

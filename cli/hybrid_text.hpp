@@ -15,7 +15,13 @@
 
 namespace hexatlas::cli {
 
+struct LatticeAccount {
+  std::size_t points = 0, added_on_surface = 0, exchanged_diagonals = 0;
+  double spacing = 0;
+};
+
 struct HybridAccount {
+  std::optional<LatticeAccount> lattice;  ///< without: the tetrahedra were given
   std::size_t tetrahedra = 0;
   double quality = 0;
   std::array<std::size_t, hybrid::kShapes> candidates{};  ///< by shape
@@ -24,7 +30,7 @@ struct HybridAccount {
   std::optional<hybrid::Combined> combined;  ///< without: candidates were counted only
   quality::HybridReport report;              ///< of the mesh
   double search_seconds = 0;                 ///< for the candidates
-  double seconds = 0;                        ///< without the files
+  double seconds = 0;                        ///< without files and lattice
   int threads = 1;
 };
 

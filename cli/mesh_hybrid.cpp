@@ -15,6 +15,7 @@
 #include "meshing/hybrid/candidates.hpp"
 #include "meshing/hybrid/classes.hpp"
 #include "meshing/hybrid/conforming.hpp"
+#include "meshing/hybrid/lattice.hpp"
 #include "meshing/hybrid/selection.hpp"
 #include "meshing/hybrid/tet_graph.hpp"
 #include "meshing/io/mesh_files.hpp"
@@ -29,6 +30,22 @@ hybrid::TetGraph graph_of(const mesh::TetModel& model, const std::string& name) 
   if (const auto* fault = std::get_if<complex::BrokenLaw>(&graph))
     throw core::InvalidInput(name, fault->reason);
   return std::move(std::get<hybrid::TetGraph>(graph));
+}
+
+/// The tetrahedra of the file, or those inside its surface.
+mesh::TetModel model_of(const MeshHybridOptions& options, HybridAccount& account) {
+  if (options.fill.empty()) return io::read_tet_model(options.input);
+  const mesh::FacetMesh surface = io::read_facets(options.input);
+  hybrid::LatticeOptions lattice;
+  lattice.spacing = options.spacing;
+  lattice.threads = account.threads;
+  auto filled = hybrid::fill_with_lattice(surface, lattice);
+  if (const auto* fault = std::get_if<complex::BrokenLaw>(&filled))
+    throw core::InvalidInput(input_name(options.input), fault->reason);
+  auto& inside = std::get<hybrid::Filled>(filled);
+  account.lattice = {inside.lattice_points, inside.added_on_surface, inside.exchanged_diagonals,
+                     inside.spacing};
+  return std::move(inside.model);
 }
 
 /// How many candidates there are of each class of subdivisions, from 1 on as listed by
@@ -64,12 +81,12 @@ ExitCode mesh_hybrid(const MeshHybridOptions& options) {
     return ExitCode::usage;
   if (!is_counted) expect_hybrid_writable(options.output);
   if (!options.candidates.empty()) core::expect_writable(options.candidates);
-  const mesh::TetModel model = io::read_tet_model(options.input);
-  const hybrid::TetGraph graph = graph_of(model, input_name(options.input));
   HybridAccount account;
-  account.tetrahedra = graph.size();
   account.quality = options.quality;
   account.threads = parallel::threads_or_all(options.threads);
+  const mesh::TetModel model = model_of(options, account);
+  const hybrid::TetGraph graph = graph_of(model, input_name(options.input));
+  account.tetrahedra = graph.size();
   const double start = seconds();
   const hybrid::Candidates candidates = hybrid::candidates(graph, options.quality, account.threads);
   account.search_seconds = seconds() - start;

@@ -125,6 +125,42 @@ class MeshHybridTest(program.ProgramTest):
         self.write("regions.mesh", medit(points, cells, [1, 1, 1, 2, 1, 1]))
         self.assertEqual(self.counts("regions.mesh")["candidates"]["hexahedra"], 0)
 
+    def box(self, sides, cut=False):
+        """The surface of a box of unit squares, each cut in two."""
+        points, triangles = {}, []
+        for axis in range(3):
+            u, v = (axis + 1) % 3, (axis + 2) % 3
+            for side in (0, sides[axis]):
+                for i, j in itertools.product(range(sides[u]), range(sides[v])):
+                    corner = []
+                    for a, b in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                        p = [0, 0, 0]
+                        p[axis], p[u], p[v] = side, i + a, j + b
+                        corner.append(points.setdefault(tuple(p), len(points) + 1))
+                    if side == 0:
+                        corner.reverse()
+                    triangles += [(corner[0], corner[1], corner[2]), (corner[0], corner[2], corner[3])]
+        if cut:
+            triangles.pop()
+        self.write("box.obj", "".join("v %d %d %d\n" % p for p in points)
+                   + "".join("f %d %d %d\n" % t for t in triangles))
+        return "box.obj"
+
+    def test_lattice_inside_a_box(self):
+        ran = self.succeeds("mesh", "hybrid", self.box((4, 3, 2)), "--fill", "lattice", "-o",
+                            "box.vtu", "--json")
+        made = json.loads(ran.out)
+        self.assertEqual(made["selected"]["hexahedra"], 24)
+        self.assertEqual(made["selected"]["tetrahedra"], 0)
+        self.assertEqual(made["lattice"]["points"], 6)
+        self.assertEqual(made["lattice"]["spacing"], 1)
+        self.succeeds("check", "--hybrid", "box.vtu")
+        ran = self.hexatlas("mesh", "hybrid", self.box((2, 2, 2), cut=True), "--fill", "lattice",
+                            "-o", "open.vtu")
+        self.expect_fault(ran, "box.obj")
+        self.assertEqual(self.hexatlas("mesh", "hybrid", "box.obj", "--spacing", "1", "-o",
+                                       "x.vtu").code, 2)
+
     def test_wrong_use(self):
         file = self.lattice(1)
         for options in ([], ["--count", "-o", "x.vtu"], ["--count", "--quality", "1"], ["-o", file]):
