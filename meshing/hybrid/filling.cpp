@@ -5,46 +5,34 @@
 namespace hexatlas::hybrid {
 namespace {
 
-constexpr unsigned set_of_face(const std::array<std::uint8_t, 4>& face, unsigned size) {
+constexpr unsigned set_of_face(const cells::ShapeFacet& face) {
   unsigned set = 0;
-  for (unsigned i = 0; i < size; ++i) set |= 1U << face[i];
+  for (const cells::ShapeVertex v : face) set |= 1U << v;
   return set;
 }
 
-constexpr CellShape with_table(CellShape shape) {
-  for (unsigned set = 0; set < 256; ++set) {
-    shape.face_of[set] = kNoFace;
-    if (std::popcount(set) < 3) continue;
-    for (std::size_t f = 0; f < shape.faces.size(); ++f)
-      if (shape.sizes[f] > 0 && (set & ~set_of_face(shape.faces[f], shape.sizes[f])) == 0)
+/// With the numbers of tetrahedra that a filling may have.
+template <std::size_t kFaces>
+constexpr CellShape shape_of(const std::array<cells::ShapeFacet, kFaces>& faces, std::size_t fewest,
+                             std::size_t most) {
+  CellShape shape{fewest, most, 0, {}, {}, {}};
+  shape.face_of.fill(kNoFace);
+  for (std::size_t f = 0; f < kFaces; ++f) {
+    shape.faces[f] = faces[f];
+    shape.sizes[f] = cells::is_triangle(faces[f]) ? 3 : 4;
+    shape.triangles += shape.sizes[f] - 2;
+    for (unsigned set = 0; set < 256; ++set)
+      if (std::popcount(set) >= 3 && (set & ~set_of_face(faces[f])) == 0)
         shape.face_of[set] = static_cast<std::uint8_t>(f);
   }
   return shape;
 }
 
-constexpr CellShape hexahedron() {
-  CellShape shape{5, kMostInside, 12, {}, {4, 4, 4, 4, 4, 4}, {}};
-  for (std::size_t f = 0; f < shape.faces.size(); ++f) shape.faces[f] = cells::kFacetVertices[f];
-  return with_table(shape);
-}
-
 }  // namespace
 
-constexpr CellShape kHexahedronShape = hexahedron();
-constexpr CellShape kPrismShape =
-    with_table({3,
-                6,
-                8,
-                {{{0, 2, 1, 0}, {3, 4, 5, 0}, {0, 1, 4, 3}, {1, 2, 5, 4}, {0, 3, 5, 2}, {}}},
-                {3, 3, 4, 4, 4, 0},
-                {}});
-constexpr CellShape kPyramidShape =
-    with_table({2,
-                3,
-                6,
-                {{{0, 3, 2, 1}, {0, 1, 4, 0}, {1, 2, 4, 0}, {2, 3, 4, 0}, {3, 0, 4, 0}, {}}},
-                {4, 3, 3, 3, 3, 0},
-                {}});
+constexpr CellShape kHexahedronShape = shape_of(cells::kFacetVertices, 5, kMostInside);
+constexpr CellShape kPrismShape = shape_of(cells::kPrismFacets, 3, 6);
+constexpr CellShape kPyramidShape = shape_of(cells::kPyramidFacets, 2, 3);
 
 /// One triangle of a filling's boundary.
 struct FaceTriangle {

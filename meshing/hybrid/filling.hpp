@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "enum/cells/cube.hpp"
+#include "enum/cells/shapes.hpp"
 #include "meshing/hybrid/tet_graph.hpp"
 
 namespace hexatlas::hybrid {
@@ -31,11 +32,11 @@ inline constexpr std::size_t kMostInside = 15;  ///< of inner and flat ones toge
 
 /// The faces of a cell, as far as a filling sees them.
 struct CellShape {
-  std::size_t fewest = 0;                              ///< inner tetrahedra
-  std::size_t most = 0;                                ///< tetrahedra, flat ones included
-  int triangles = 0;                                   ///< on the boundary of a filling
-  std::array<std::array<std::uint8_t, 4>, 6> faces{};  ///< cyclic
-  std::array<std::uint8_t, 6> sizes{};                 ///< 3, 4, or 0 for none
+  std::size_t fewest = 0;                    ///< inner tetrahedra
+  std::size_t most = 0;                      ///< tetrahedra, flat ones included
+  int triangles = 0;                         ///< on the boundary of a filling
+  std::array<cells::ShapeFacet, 6> faces{};  ///< cyclic
+  std::array<std::uint8_t, 6> sizes{};       ///< 3, 4, or 0 for none
   /// For sets of three and four vertices in one face that face, otherwise kNoFace.
   std::array<std::uint8_t, 256> face_of{};
 };

@@ -4,29 +4,11 @@
 #include <array>
 
 #include "enum/cells/cube.hpp"
+#include "enum/cells/shapes.hpp"
 #include "enum/core/checks.hpp"
 
 namespace hexatlas::hybrid {
 namespace {
-
-constexpr std::array<LocalEdge, 12> kHexahedronEdges{{{0, 1},
-                                                      {2, 3},
-                                                      {4, 5},
-                                                      {6, 7},
-                                                      {0, 2},
-                                                      {1, 3},
-                                                      {4, 6},
-                                                      {5, 7},
-                                                      {0, 4},
-                                                      {1, 5},
-                                                      {2, 6},
-                                                      {3, 7}}};
-constexpr std::array<LocalEdge, 9> kPrismEdges{
-    {{0, 1}, {1, 2}, {0, 2}, {3, 4}, {4, 5}, {3, 5}, {0, 3}, {1, 4}, {2, 5}}};
-constexpr std::array<LocalEdge, 8> kPyramidEdges{
-    {{0, 1}, {1, 2}, {2, 3}, {0, 3}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
-constexpr std::array<LocalQuad, 3> kPrismQuads{{{0, 1, 4, 3}, {1, 2, 5, 4}, {0, 3, 5, 2}}};
-constexpr std::array<LocalQuad, 1> kPyramidQuads{{{0, 3, 2, 1}}};
 
 std::uint64_t key(Index v, Index w) {
   return std::uint64_t{std::min(v, w)} << 32U | std::max(v, w);
@@ -86,11 +68,11 @@ const PairTable& pairs_of(Shape shape) {
 std::span<const LocalEdge> edges_of(Shape shape) {
   switch (shape) {
     case Shape::hexahedron:
-      return kHexahedronEdges;
+      return cells::kCubeEdges;
     case Shape::prism:
-      return kPrismEdges;
+      return cells::kPrismEdges;
     case Shape::pyramid:
-      return kPyramidEdges;
+      return cells::kPyramidEdges;
   }
   throw core::InternalError("hybrid: unknown shape");
 }
@@ -100,9 +82,9 @@ std::span<const LocalQuad> quads_of(Shape shape) {
     case Shape::hexahedron:
       return cells::kFacetVertices;
     case Shape::prism:
-      return kPrismQuads;
+      return std::span(cells::kPrismFacets).subspan(2);
     case Shape::pyramid:
-      return kPyramidQuads;
+      return std::span(cells::kPyramidFacets).first(1);
   }
   throw core::InternalError("hybrid: unknown shape");
 }

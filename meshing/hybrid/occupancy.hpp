@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "enum/cells/shapes.hpp"
 #include "meshing/hybrid/candidates.hpp"
 #include "meshing/hybrid/selection.hpp"
 #include "meshing/hybrid/tet_graph.hpp"
@@ -25,9 +26,9 @@ struct CellView {
 [[nodiscard]] CellView view_of(const Candidates& candidates, Cell cell);
 
 /// Positions of vertices in a cell.
-using LocalEdge = std::array<std::uint8_t, 2>;
+using LocalEdge = cells::ShapeEdge;
 [[nodiscard]] std::span<const LocalEdge> edges_of(Shape shape);
-using LocalQuad = std::array<std::uint8_t, 4>;
+using LocalQuad = cells::ShapeFacet;
 /// Cyclic, counter-clockwise from outside.
 [[nodiscard]] std::span<const LocalQuad> quads_of(Shape shape);
 

@@ -4,26 +4,13 @@
 #include <tuple>
 #include <utility>
 
+#include "enum/cells/shapes.hpp"
 #include "enum/core/checks.hpp"
 
 namespace hexatlas::view {
 namespace {
 
 using mesh::Index;
-
-/// Corners v and v + 2^k for each axis k.
-constexpr std::array<std::array<cells::CubeVertex, 2>, 12> kEdges{{{0, 1},
-                                                                   {2, 3},
-                                                                   {4, 5},
-                                                                   {6, 7},
-                                                                   {0, 2},
-                                                                   {1, 3},
-                                                                   {4, 6},
-                                                                   {5, 7},
-                                                                   {0, 4},
-                                                                   {1, 5},
-                                                                   {2, 6},
-                                                                   {3, 7}}};
 
 struct FacetOfCell {
   std::array<Index, 4> key{};  ///< the vertices, ascending
@@ -41,13 +28,7 @@ void expect_indices(const mesh::HexMesh& mesh) {
   expect_indices(mesh.hexahedra, mesh.points.size());
 }
 
-using Facet = std::array<std::uint8_t, 4>;
-constexpr std::array<Facet, 4> kTetrahedronFacets{
-    {{1, 2, 3, 3}, {0, 3, 2, 2}, {0, 1, 3, 3}, {0, 2, 1, 1}}};
-constexpr std::array<Facet, 5> kPrismFacets{
-    {{0, 2, 1, 1}, {3, 4, 5, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
-constexpr std::array<Facet, 5> kPyramidFacets{
-    {{0, 3, 2, 1}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}}};
+using Facet = cells::ShapeFacet;
 
 /// The vertices, ascending; what a triangle, or a facet with a vertex twice, lacks is kNobody.
 template <class Cell>
@@ -119,9 +100,9 @@ void expect_neighbours_of(const mesh::HexMesh& mesh, const Neighbours& neighbour
 std::vector<Use> uses_of_edges(const mesh::HexMesh& mesh, const Neighbours& neighbours) {
   expect_neighbours_of(mesh, neighbours);
   std::vector<Use> uses;
-  uses.reserve(mesh.hexahedra.size() * kEdges.size());
+  uses.reserve(mesh.hexahedra.size() * cells::kCubeEdges.size());
   for (std::size_t cell = 0; cell < mesh.hexahedra.size(); ++cell)
-    for (const auto& [v, w] : kEdges) {
+    for (const auto& [v, w] : cells::kCubeEdges) {
       bool is_boundary = false;
       for (std::size_t f = 0; f < kCornerSets.size(); ++f)
         is_boundary |= neighbours[cell][f] == kNobody && (kCornerSets[f] >> v & 1U) != 0 &&
@@ -190,15 +171,15 @@ Solids solids_of(const mesh::HybridMesh& mesh) {
 std::span<const std::array<std::uint8_t, 4>> facets_of(Shape shape) {
   switch (shape) {
     case Shape::tetrahedron:
-      return kTetrahedronFacets;
+      return cells::kTetrahedronFacets;
     case Shape::hexahedron:
       return cells::kFacetVertices;
     case Shape::prism:
-      return kPrismFacets;
+      return cells::kPrismFacets;
     case Shape::pyramid:
       break;
   }
-  return kPyramidFacets;
+  return cells::kPyramidFacets;
 }
 
 Neighbours neighbours_of(const Solids& solids) {

@@ -21,25 +21,6 @@ Coefficients integer_coefficients(const Hexahedron& corners) {
   return result;
 }
 
-/// De Casteljau at 1/2 in direction k: the coefficients on the lower and the upper half, times 4.
-std::pair<Coefficients, Coefficients> halves(const Coefficients& whole, std::size_t k) {
-  std::pair<Coefficients, Coefficients> result;
-  auto& [low, high] = result;
-  const std::size_t stride = kStride[k];
-  for (std::size_t first = 0; first < kJacobianCoefficients; ++first) {
-    if (first / stride % 3 != 0) continue;
-    const std::size_t second = first + stride;
-    const std::size_t third = second + stride;
-    low[first] = 4 * whole[first];
-    low[second] = 2 * (whole[first] + whole[second]);
-    low[third] = whole[first] + 2 * whole[second] + whole[third];
-    high[first] = low[third];
-    high[second] = 2 * (whole[second] + whole[third]);
-    high[third] = 4 * whole[third];
-  }
-  return result;
-}
-
 void append_eighths(const Coefficients& whole, std::vector<Coefficients>& parts) {
   const auto [low_r, high_r] = halves(whole, 0);
   for (const auto& half : {low_r, high_r}) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "realize/exact/determinant.hpp"
 #include "realize/exact/jacobian.hpp"
@@ -55,6 +56,27 @@ JacobianNumbers<Number> determinant_sums(const EdgeVectors<Number>& edges) {
         determinant(edges[0][choice & 3U], edges[1][choice >> 2U & 3U], edges[2][choice >> 4U]);
   }
   return sums;
+}
+
+/// De Casteljau at 1/2 in direction k: the coefficients on the lower and the upper half, times 4.
+template <class Number>
+std::pair<JacobianNumbers<Number>, JacobianNumbers<Number>> halves(
+    const JacobianNumbers<Number>& whole, std::size_t k) {
+  std::pair<JacobianNumbers<Number>, JacobianNumbers<Number>> result;
+  auto& [low, high] = result;
+  const std::size_t stride = kStride[k];
+  for (std::size_t first = 0; first < kJacobianCoefficients; ++first) {
+    if (first / stride % 3 != 0) continue;
+    const std::size_t second = first + stride;
+    const std::size_t third = second + stride;
+    low[first] = 4 * whole[first];
+    low[second] = 2 * (whole[first] + whole[second]);
+    low[third] = whole[first] + 2 * whole[second] + whole[third];
+    high[first] = low[third];
+    high[second] = 2 * (whole[second] + whole[third]);
+    high[third] = 4 * whole[third];
+  }
+  return result;
 }
 
 }  // namespace hexatlas::exact

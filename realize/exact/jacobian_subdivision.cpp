@@ -10,7 +10,6 @@
 // below 2^-44.7; with 2^-46 below 2^-44. Errors by underflow are below 2^-1074 and the unit is
 // above 2^-901.
 #include <algorithm>
-#include <utility>
 
 #include "enum/core/checks.hpp"
 #include "realize/exact/jacobian_coefficients.hpp"
@@ -23,26 +22,6 @@ using Coefficients = JacobianNumbers<double>;
 /// What is known of a part; `unknown`: double precision does not suffice.
 enum class Outcome : std::uint8_t { positive, not_positive, undecided, unknown };
 
-std::pair<Coefficients, Coefficients> halves(const Coefficients& whole, std::size_t k) {
-  std::pair<Coefficients, Coefficients> result;
-  auto& [low, high] = result;
-  const std::size_t stride = kStride[k];
-  for (std::size_t first = 0; first < kJacobianCoefficients; ++first) {
-    if (first / stride % 3 != 0) continue;
-    const double a = whole[first];
-    const double b = whole[first + stride];
-    const double c = whole[first + 2 * stride];
-    const double middle = (a + 2 * b + c) / 4;
-    low[first] = a;
-    low[first + stride] = (a + b) / 2;
-    low[first + 2 * stride] = middle;
-    high[first] = middle;
-    high[first + stride] = (b + c) / 2;
-    high[first + 2 * stride] = c;
-  }
-  return result;
-}
-
 /// Depth first: which part refutes does not matter.
 Outcome judge(const Coefficients& whole, double error, int depth) {
   const double least = *std::min_element(whole.begin(), whole.end());
@@ -52,7 +31,7 @@ Outcome judge(const Coefficients& whole, double error, int depth) {
   if (corner < -error) return Outcome::not_positive;
   if (corner <= error) return Outcome::unknown;
   if (depth == 0) return least < -error ? Outcome::undecided : Outcome::unknown;
-  const auto of_part = [&](const Coefficients& part) { return judge(part, error, depth - 1); };
+  const auto of_part = [&](const Coefficients& part) { return judge(part, 64 * error, depth - 1); };
   Outcome result = Outcome::positive;
   const auto [low_r, high_r] = halves(whole, 0);
   for (const auto& half : {low_r, high_r}) {
