@@ -139,6 +139,29 @@ void add_mesh_hybrid(CLI::App& mesh, Action& action) {
   command->callback([options, &action] { action = [options] { return mesh_hybrid(*options); }; });
 }
 
+void add_mesh_quads(CLI::App& mesh, Action& action) {
+  auto* command =
+      mesh.add_subcommand("quads", "Triangles of a surface combined into quads: quad-dominant");
+  auto options = std::make_shared<MeshQuadsOptions>();
+  command
+      ->add_option("TRIANGLES", options->input,
+                   "Surface of triangles: .obj .off .vtk .vtu .mesh .msh, or - for standard input")
+      ->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Surface to write: .obj .off .vtk .vtu .mesh .msh, or - for standard output "
+                   "(.vtk)")
+      ->required();
+  command
+      ->add_option("--quality", options->quality, "Least sine of the corners of a quad, exclusive")
+      ->check(CLI::Range(0.0, 0.999))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print one JSON object");
+  command->footer("The points stay; triangles of no quad stay.\n" +
+                  example("hexatlas mesh quads triangles.obj -o quads.obj"));
+  command->callback([options, &action] { action = [options] { return mesh_quads(*options); }; });
+}
+
 }  // namespace
 
 void add_mesh(CLI::App& app, Action& action) {
@@ -182,6 +205,7 @@ void add_mesh(CLI::App& app, Action& action) {
   add_mesh_untangle(*mesh, action);
   add_mesh_delaunay(*mesh, action);
   add_mesh_hybrid(*mesh, action);
+  add_mesh_quads(*mesh, action);
 }
 
 void add_simplify(CLI::App& app, Action& action) {

@@ -75,6 +75,13 @@ struct MeshHybridOptions {
 };
 [[nodiscard]] ExitCode mesh_hybrid(const MeshHybridOptions& options);
 
+struct MeshQuadsOptions {
+  std::string input, output;
+  double quality = 0.1;  ///< the least, exclusive
+  bool json = false;
+};
+[[nodiscard]] ExitCode mesh_quads(const MeshQuadsOptions& options);
+
 struct MeshUntangleOptions {
   std::string input, output;
   std::string report;  ///< file for a page; empty: none

@@ -95,6 +95,14 @@ void write_tetrahedra(const std::string& output, const mesh::TetView& mesh) {
   io::write_tetrahedra(output, mesh, format_on(output));
 }
 
+void expect_facets_writable(const std::string& output) {
+  io::expect_facets_writable(output, format_on(output));
+}
+
+void write_facets(const std::string& output, const mesh::FacetMesh& mesh) {
+  io::write_facets(output, mesh, format_on(output));
+}
+
 void expect_hybrid_writable(const std::string& output) {
   io::expect_hybrid_writable(output, format_on(output));
 }

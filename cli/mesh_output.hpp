@@ -41,6 +41,9 @@ void write_mesh(const std::string& output, const mesh::HexMesh& mesh);
 /// The same for tetrahedra.
 void expect_tetrahedra_writable(const std::string& output);
 void write_tetrahedra(const std::string& output, const mesh::TetView& mesh);
+/// The same for triangles and quads.
+void expect_facets_writable(const std::string& output);
+void write_facets(const std::string& output, const mesh::FacetMesh& mesh);
 /// The same for cells of several shapes.
 void expect_hybrid_writable(const std::string& output);
 void write_hybrid(const std::string& output, const mesh::HybridMesh& mesh);

@@ -3,7 +3,7 @@ add_executable(hexatlas
   cli/boundary_input.cpp cli/cell_input.cpp cli/check.cpp cli/check_hybrid.cpp cli/code.cpp cli/command_line.cpp
   cli/command_line_enum.cpp cli/command_line_mesh.cpp cli/completeness.cpp cli/enum_hexmeshes.cpp
   cli/enum_lists.cpp cli/enum_quadrangulations.cpp cli/enum_shellings.cpp cli/enum_triangulations.cpp
-  cli/interrupt.cpp cli/long_work.cpp cli/main.cpp cli/mesh_boundary.cpp cli/mesh_delaunay.cpp cli/mesh_hex.cpp cli/mesh_hybrid.cpp cli/hybrid_text.cpp
+  cli/interrupt.cpp cli/long_work.cpp cli/main.cpp cli/mesh_boundary.cpp cli/mesh_delaunay.cpp cli/mesh_hex.cpp cli/mesh_hybrid.cpp cli/hybrid_text.cpp cli/mesh_quads.cpp
   cli/mesh_untangle.cpp cli/mesh_output.cpp
   cli/mesh_report.cpp cli/mesh_hex_report.cpp cli/histogram_chart.cpp cli/output.cpp
   cli/realize.cpp cli/reproduce.cpp cli/simplify.cpp cli/table_build.cpp cli/table_by_quads.cpp

@@ -50,6 +50,7 @@ struct CellType {
   int vertices;  ///< 0: any number
 };
 
+inline constexpr CellType kTriangle{"triangle", CellShape::surface, 3};
 inline constexpr CellType kQuad{"quad", CellShape::quad, 4};
 inline constexpr CellType kTetrahedron{"tetrahedron", CellShape::tetrahedron, 4};
 inline constexpr CellType kHexahedron{"hexahedron", CellShape::hexahedron, 8};
@@ -66,6 +67,7 @@ struct FileCell {
   std::string_view medit;
 };
 
+inline constexpr FileCell kFileTriangle{kTriangle, 2, 5, 2, "Triangles"};
 inline constexpr FileCell kFileQuad{kQuad, 2, 9, 3, "Quadrilaterals"};
 inline constexpr FileCell kFileTetrahedron{kTetrahedron, 3, 10, 4, "Tetrahedra"};
 inline constexpr FileCell kFileHexahedron{kHexahedron, 3, 12, 5, "Hexahedra"};

@@ -117,6 +117,9 @@ struct WriteOptions {
 [[nodiscard]] std::string to_text(const mesh::SurfaceMesh& mesh, FileFormat format,
                                   GmshVersion gmsh = GmshVersion::v4_1);
 
+/// Triangles first, then quads. Requires as above; line is not read.
+[[nodiscard]] std::string to_text(const mesh::FacetMesh& mesh, FileFormat format);
+
 /// The file as bytes: in .vtu, raw and uncompressed; in .msh, version 4.1; in .hxtet, as
 /// docs/formats/hxtet.md says. The same mesh gives the same bytes. No tetrahedra at all can be
 /// written, though not be read again.
@@ -143,6 +146,11 @@ void write_hexahedra(const std::string& path, const mesh::HexMesh& mesh,
 void expect_tetrahedra_writable(const std::string& path, std::optional<FileFormat> format = {});
 void write_tetrahedra(const std::string& path, const mesh::TetView& mesh,
                       std::optional<FileFormat> format = {});
+
+/// The same for triangles and quads.
+void expect_facets_writable(const std::string& path, std::optional<FileFormat> format = {});
+void write_facets(const std::string& path, const mesh::FacetMesh& mesh,
+                  std::optional<FileFormat> format = {});
 
 /// The same for hybrid meshes.
 void expect_hybrid_writable(const std::string& path, std::optional<FileFormat> format = {});

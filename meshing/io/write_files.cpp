@@ -112,6 +112,30 @@ CellsToWrite cells_of(const mesh::HexMesh& mesh, const std::vector<Hexahedron>& 
   return cells;
 }
 
+/// The facets by their number of vertices.
+struct Facets {
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<std::array<Index, 4>> quads;
+
+  explicit Facets(const mesh::FacetMesh& mesh) {
+    for (const mesh::Facet& facet : mesh.facets) {
+      const auto& v = facet.vertices;
+      if (facet.size == 3)
+        triangles.push_back({v[0], v[1], v[2]});
+      else
+        quads.push_back(v);
+    }
+  }
+};
+
+/// Both arguments outlive the result.
+CellsToWrite cells_of(const mesh::FacetMesh& mesh, const Facets& facets) {
+  CellsToWrite cells{mesh.points, {}};
+  cells.add(kFileTriangle, std::span(facets.triangles));
+  cells.add(kFileQuad, std::span(facets.quads));
+  return cells;
+}
+
 CellsToWrite cells_of(const mesh::TetView& mesh) {
   CellsToWrite cells{mesh.points, {}};
   cells.add(kFileTetrahedron, mesh.tetrahedra);
@@ -161,6 +185,11 @@ std::string to_text(const mesh::SurfaceMesh& mesh, FileFormat format, GmshVersio
   return to_text(cells, format, {gmsh});
 }
 
+std::string to_text(const mesh::FacetMesh& mesh, FileFormat format) {
+  core::expects(holds(format, Content::surface), "to_text: the format holds surfaces");
+  return to_text(cells_of(mesh, Facets(mesh)), format, {});
+}
+
 std::string to_text(const mesh::TetView& mesh, FileFormat format) {
   core::expects(holds(format, Content::tetrahedra), "to_text: the format holds tetrahedra");
   return to_text(cells_of(mesh), format, kLargeManner);
@@ -179,6 +208,10 @@ void expect_tetrahedra_writable(const std::string& path, std::optional<FileForma
   expect_mesh_writable(path, format, Content::tetrahedra);
 }
 
+void expect_facets_writable(const std::string& path, std::optional<FileFormat> format) {
+  expect_mesh_writable(path, format, Content::surface);
+}
+
 void expect_hybrid_writable(const std::string& path, std::optional<FileFormat> format) {
   expect_mesh_writable(path, format, Content::hybrid);
 }
@@ -194,6 +227,12 @@ void write_tetrahedra(const std::string& path, const mesh::TetView& mesh,
                       std::optional<FileFormat> format) {
   const FileFormat known = format_to_write(path, format, Content::tetrahedra);
   write_file(path, cells_of(mesh), known, kLargeManner);
+}
+
+void write_facets(const std::string& path, const mesh::FacetMesh& mesh,
+                  std::optional<FileFormat> format) {
+  const FileFormat known = format_to_write(path, format, Content::surface);
+  write_file(path, cells_of(mesh, Facets(mesh)), known, {});
 }
 
 void write_hybrid(const std::string& path, const mesh::HybridMesh& mesh,

@@ -1,4 +1,6 @@
 // OBJ, OFF and MEDIT: lists of points and cells, one per line.
+#include <string>
+
 #include "meshing/io/writers.hpp"
 
 namespace hexatlas::io {
@@ -27,7 +29,8 @@ void write_obj(const CellsToWrite& cells, Output& out) {
 void write_off(const CellsToWrite& cells, Output& out) {
   out.put("OFF\n", cells.points.size(), " ", cells.cell_count(), " 0\n");
   put_points(out, cells, "", "\n");
-  for (const CellList& list : cells.lists) put_cells(out, list, "4 ", 0, "\n");
+  for (const CellList& list : cells.lists)
+    put_cells(out, list, (std::to_string(list.corners_each()) + " ").c_str(), 0, "\n");
 }
 
 void write_medit(const CellsToWrite& cells, Output& out) {

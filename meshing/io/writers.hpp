@@ -57,7 +57,7 @@ enum class VtuArrays : std::uint8_t {
   appended_raw,  ///< as they are, after the XML part
 };
 
-/// Requires: quads only.
+/// Requires: triangles and quads only.
 void write_obj(const CellsToWrite& cells, Output& out);
 void write_off(const CellsToWrite& cells, Output& out);
 

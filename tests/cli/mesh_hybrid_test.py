@@ -161,6 +161,19 @@ class MeshHybridTest(program.ProgramTest):
         self.assertEqual(self.hexatlas("mesh", "hybrid", "box.obj", "--spacing", "1", "-o",
                                        "x.vtu").code, 2)
 
+    def test_triangles_into_quads(self):
+        for output in ("quads.obj", "quads.off", "quads.vtk", "quads.vtu", "quads.mesh", "quads.msh"):
+            ran = self.succeeds("mesh", "quads", self.box((3, 2, 2)), "-o", output, "--json")
+            made = json.loads(ran.out)
+            self.assertEqual(made["selected"], {"quads": 32, "triangles": 0})
+            self.assertEqual((made["triangles"], made["min_quality"]), (64, 1))
+            self.succeeds("code", output)
+        self.write("one.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\n"
+                              "f 1 2 3\nf 1 3 4\nf 2 5 3\n")
+        self.succeeds("mesh", "quads", "one.obj", "-o", "mixed.off")
+        self.assertEqual(self.read("mixed.off").decode().splitlines()[-2:], ["3 1 4 2", "4 0 1 2 3"])
+        self.expect_fault(self.hexatlas("mesh", "quads", "mixed.off", "-o", "x.obj"), "mixed.off")
+
     def test_wrong_use(self):
         file = self.lattice(1)
         for options in ([], ["--count", "-o", "x.vtu"], ["--count", "--quality", "1"], ["-o", file]):

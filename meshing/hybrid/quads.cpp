@@ -1,0 +1,225 @@
+#include "meshing/hybrid/quads.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <tuple>
+
+#include "enum/core/checks.hpp"
+#include "meshing/quality/edge.hpp"
+
+namespace hexatlas::hybrid {
+namespace {
+
+using mesh::Index;
+
+/// An edge from v to w of a triangle whose third vertex is `apex`.
+struct DirectedEdge {
+  Index v = 0, w = 0, apex = 0;
+  std::uint32_t triangle = 0;
+  [[nodiscard]] auto key() const { return std::tuple(std::min(v, w), std::max(v, w), triangle); }
+};
+
+std::vector<DirectedEdge> edges_of(const mesh::FacetMesh& surface) {
+  std::vector<DirectedEdge> edges;
+  edges.reserve(3 * surface.facets.size());
+  for (std::size_t t = 0; t < surface.facets.size(); ++t) {
+    const mesh::Facet& facet = surface.facets[t];
+    core::expects(facet.size == 3, "triangles only");
+    for (std::size_t i = 0; i < 3; ++i) {
+      core::expects(facet.vertices[i] < surface.points.size(), "indices below points.size()");
+      edges.push_back({facet.vertices[i], facet.vertices[(i + 1) % 3], facet.vertices[(i + 2) % 3],
+                       static_cast<std::uint32_t>(t)});
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+            [](const DirectedEdge& a, const DirectedEdge& b) { return a.key() < b.key(); });
+  return edges;
+}
+
+double quality_of(const std::vector<mesh::Point>& points, const std::array<Index, 4>& quad) {
+  const auto edge = [&](std::size_t from, std::size_t to) {
+    return quality::direction(points[quad[from % 4]], points[quad[to % 4]]);
+  };
+  const mesh::Point u = edge(0, 2);
+  const mesh::Point v = edge(1, 3);
+  const mesh::Point product{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const mesh::Point normal = quality::direction({}, product);
+  double least = 1;
+  for (std::size_t i = 0; i < 4; ++i)
+    least = std::min(least, quality::determinant(edge(i, i + 1), edge(i, i + 3), normal));
+  return least;
+}
+
+/// A matching of triangles, improved by paths and squares.
+class Matching {
+ public:
+  Matching(std::span<const QuadCandidate> candidates, std::size_t triangles)
+      : candidates_(candidates), start_(triangles + 1), quad_of_(triangles, kNone) {
+    for (const QuadCandidate& c : candidates)
+      for (const std::uint32_t t : c.triangles) ++start_[t + 1];
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    at_.resize(start_.back());
+    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      for (const std::uint32_t t : candidates[i].triangles) at_[next[t]++] = i;
+  }
+
+  void greedy() {
+    std::vector<std::size_t> order(candidates_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+      return candidates_[a].quality > candidates_[b].quality;
+    });
+    for (const std::size_t i : order)
+      if (is_free(candidates_[i].triangles[0]) && is_free(candidates_[i].triangles[1])) put(i);
+  }
+
+  void improve() {
+    constexpr int kMostRounds = 50;
+    bool is_better = true;
+    for (int round = 0; is_better && round < kMostRounds; ++round) {
+      is_better = false;
+      for (std::uint32_t t = 0; t < quad_of_.size(); ++t)
+        is_better = (is_free(t) ? lengthen(t) : turn_square(quad_of_[t])) || is_better;
+    }
+  }
+
+  [[nodiscard]] std::vector<std::size_t> chosen() const {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+      if (quad_of_[candidates_[i].triangles[0]] == i) result.push_back(i);
+    return result;
+  }
+
+ private:
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t kMostVisited = 200;  ///< quads on the way from a free triangle
+
+  [[nodiscard]] bool is_free(std::uint32_t t) const { return quad_of_[t] == kNone; }
+  [[nodiscard]] std::span<const std::size_t> at(std::uint32_t t) const {
+    return std::span(at_).subspan(start_[t], start_[t + 1] - start_[t]);
+  }
+  [[nodiscard]] std::uint32_t other(std::size_t quad, std::uint32_t t) const {
+    const auto& [one, two] = candidates_[quad].triangles;
+    return one == t ? two : one;
+  }
+  void put(std::size_t quad) {
+    for (const std::uint32_t t : candidates_[quad].triangles) quad_of_[t] = quad;
+  }
+  void take(std::size_t quad) {
+    for (const std::uint32_t t : candidates_[quad].triangles) quad_of_[t] = kNone;
+  }
+
+  /// A path from a free triangle to another, of candidates that are chosen and not by turns:
+  /// exchanged, there is one more quad. Breadth first; each chosen quad is entered once.
+  bool lengthen(std::uint32_t free) {
+    struct Step {
+      std::uint32_t triangle;  ///< where a further candidate may begin
+      std::size_t before;      ///< the step before
+      std::size_t by, out;     ///< the candidate taken there, and the chosen quad it displaces
+    };
+    std::vector<Step> steps{{free, kNone, kNone, kNone}};
+    for (std::size_t i = 0; i < steps.size() && steps.size() < kMostVisited; ++i)
+      for (const std::size_t quad : at(steps[i].triangle)) {
+        const std::uint32_t next = other(quad, steps[i].triangle);
+        if (next == free || quad == steps[i].out) continue;
+        const std::size_t out = quad_of_[next];
+        if (out != kNone) {
+          const bool is_seen =
+              std::any_of(steps.begin(), steps.end(), [&](const Step& s) { return s.out == out; });
+          if (!is_seen) steps.push_back({other(out, next), i, quad, out});
+          continue;
+        }
+        for (std::size_t s = i; s != 0; s = steps[s].before) take(steps[s].out);
+        for (std::size_t s = i; s != 0; s = steps[s].before) put(steps[s].by);
+        put(quad);
+        return true;
+      }
+    return false;
+  }
+
+  /// Two chosen quads whose triangles also form two others: the better two.
+  bool turn_square(std::size_t quad) {
+    const auto& [one, two] = candidates_[quad].triangles;
+    for (const std::size_t left : at(one)) {
+      const std::uint32_t far = other(left, one);
+      const std::size_t opposite = quad_of_[far];
+      if (left == quad || opposite == kNone || opposite == quad) continue;
+      const std::uint32_t further = other(opposite, far);
+      for (const std::size_t right : at(two)) {
+        if (other(right, two) != further) continue;
+        const double gain = candidates_[left].quality + candidates_[right].quality -
+                            candidates_[quad].quality - candidates_[opposite].quality;
+        if (!(gain > kLeastGain)) continue;
+        take(quad);
+        take(opposite);
+        put(left);
+        put(right);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  static constexpr double kLeastGain = 1e-12;  ///< smaller ones may be rounding
+
+  std::span<const QuadCandidate> candidates_;
+  std::vector<std::size_t> start_;
+  std::vector<std::size_t> at_;
+  std::vector<std::size_t> quad_of_;
+};
+
+}  // namespace
+
+std::vector<QuadCandidate> quad_candidates(const mesh::FacetMesh& surface, double quality) {
+  core::expects(quality >= 0 && quality < 1, "a quality in [0, 1)");
+  const std::vector<DirectedEdge> edges = edges_of(surface);
+  std::vector<QuadCandidate> result;
+  for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
+    const auto is_same = [&](const DirectedEdge& e) {
+      return std::minmax(e.v, e.w) == std::minmax(edges[first].v, edges[first].w);
+    };
+    while (end < edges.size() && is_same(edges[end])) ++end;
+    for (std::size_t i = first; i < end; ++i)
+      for (std::size_t j = i + 1; j < end; ++j) {
+        const DirectedEdge& e = edges[i];
+        const DirectedEdge& f = edges[j];
+        if (e.v != f.w || e.apex == f.apex || e.triangle == f.triangle) continue;
+        QuadCandidate quad{{e.v, f.apex, e.w, e.apex}, {e.triangle, f.triangle}, 0};
+        quad.quality = quality_of(surface.points, quad.vertices);
+        if (!(quad.quality > quality)) continue;
+        std::rotate(quad.vertices.begin(),
+                    std::min_element(quad.vertices.begin(), quad.vertices.end()),
+                    quad.vertices.end());
+        result.push_back(quad);
+      }
+  }
+  std::sort(result.begin(), result.end(), [](const QuadCandidate& a, const QuadCandidate& b) {
+    return std::tie(a.vertices, a.triangles) < std::tie(b.vertices, b.triangles);
+  });
+  return result;
+}
+
+std::vector<std::size_t> quad_selection(std::span<const QuadCandidate> candidates,
+                                        std::size_t triangles) {
+  Matching matching(candidates, triangles);
+  matching.greedy();
+  matching.improve();
+  return matching.chosen();
+}
+
+mesh::FacetMesh with_quads(const mesh::FacetMesh& surface,
+                           std::span<const QuadCandidate> candidates,
+                           std::span<const std::size_t> chosen) {
+  std::vector<std::uint8_t> is_used(surface.facets.size(), 0);
+  for (const std::size_t i : chosen)
+    for (const std::uint32_t t : candidates[i].triangles) is_used[t] = 1;
+  mesh::FacetMesh result{surface.points, {}};
+  for (std::size_t t = 0; t < surface.facets.size(); ++t)
+    if (is_used[t] == 0) result.facets.push_back(surface.facets[t]);
+  for (const std::size_t i : chosen) result.facets.push_back({candidates[i].vertices, 4, 0});
+  return result;
+}
+
+}  // namespace hexatlas::hybrid

@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// Triangles of a surface combined into quads: the two-dimensional case of candidates.hpp.
+///
+/// Definition. A *candidate* is a cycle a b c d of four vertices such that the mesh has the
+/// triangles a b c and a c d, coherently oriented, of quality above a threshold. Its quality is the
+/// least over its corners of the determinant of the two edges there and the normal, divided by the
+/// lengths of the edges: of a plane quad the least sine, negative where it is not convex. The
+/// normal is the unit vector along the product of the diagonals.
+///
+/// Source: the scheme of J. Pellerin, A. Johnen, K. Verhetsel, J.-F. Remacle, CAD 105 (2018). The
+/// choice is a matching of triangles; exchanges along paths after a greedy choice as in the search
+/// for matchings, without the blossoms of J. Edmonds, "Paths, trees, and flowers" (1965).
+///
+/// Any surface will do: edges in one, two or more triangles, several sheets. Quality is computed in
+/// double precision: a measure that proves nothing.
+/// Requires: triangles only, indices below points.size(), finite coordinates.
+/// Cost: linear but for sorting.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meshing/mesh/mesh.hpp"
+
+namespace hexatlas::hybrid {
+
+struct QuadCandidate {
+  std::array<mesh::Index, 4> vertices{};  ///< cyclic, as the triangles are oriented; least first
+  std::array<std::uint32_t, 2> triangles{};
+  double quality = 0;
+};
+
+/// Each once, ascending by vertices. Requires 0 <= quality < 1.
+[[nodiscard]] std::vector<QuadCandidate> quad_candidates(const mesh::FacetMesh& surface,
+                                                         double quality);
+
+/// Candidates of which no two have a triangle in common, ascending; none can be added. The aim is
+/// many quads first, then good ones. The optimum is not promised.
+[[nodiscard]] std::vector<std::size_t> quad_selection(std::span<const QuadCandidate> candidates,
+                                                      std::size_t triangles);
+
+/// The triangles of no chosen quad, then the quads; the points stay.
+[[nodiscard]] mesh::FacetMesh with_quads(const mesh::FacetMesh& surface,
+                                         std::span<const QuadCandidate> candidates,
+                                         std::span<const std::size_t> chosen);
+
+}  // namespace hexatlas::hybrid
