@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -122,8 +123,11 @@ std::string summary(const HybridAccount& account, const std::string& output) {
   const quality::HybridReport& report = account.report;
   const double whole = volume_of(report) / 100;
   const auto line = [&](const quality::Report& r, const char* one, const char* many) {
-    return fmt::format("{}, {:.1f} % of the volume, least scaled Jacobian {:.3f}\n",
-                       counted(r.cells, one, many), r.volume / whole, r.min_scaled_jacobian);
+    const double percent = r.volume / whole;  // of coordinates near the limits not a number
+    return fmt::format(
+        "{}, {} of the volume, least scaled Jacobian {:.3f}\n", counted(r.cells, one, many),
+        std::isfinite(percent) ? fmt::format("{:.1f} %", percent) : "an unknown part",
+        r.min_scaled_jacobian);
   };
   text += line(report.hexahedra, "hexahedron", "hexahedra") +
           line(report.prisms, "prism", "prisms") + line(report.pyramids, "pyramid", "pyramids") +

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "enum/core/checks.hpp"
+#include "enum/core/words.hpp"
 #include "meshing/delaunay/triangulation.hpp"
 #include "meshing/hybrid/lattice_points.hpp"
 #include "meshing/hybrid/lattice_recovery.hpp"
@@ -161,9 +162,8 @@ class Filling {
     return {"the surface could not be recovered in " + std::to_string(options_.rounds) +
             " rounds of adding points to it: " +
             std::to_string(missing_.edges.size() + missing_.triangles.size()) +
-            " edges or triangles are missing, one of them near (" + std::to_string(p.x) + ", " +
-            std::to_string(p.y) + ", " + std::to_string(p.z) +
-            "); it crosses itself there, has a sharp angle, or parts nearer to each other than "
+            " edges or triangles are missing, one of them near " + core::place(p.x, p.y, p.z) +
+            "; it crosses itself there, has a sharp angle, or parts nearer to each other than "
             "its triangles are wide, which should be finer"};
   }
 
@@ -224,6 +224,21 @@ void expect_sound(const LatticeOptions& options) {
   core::expects(options.rounds >= 1 && options.threads >= 1, "rounds >= 1, threads >= 1");
 }
 
+/// Products of four coordinates are made, in double precision.
+constexpr double kGreatest = 0x1p240;
+constexpr double kLeast = 0x1p-240;
+
+bool has_usual_size(const std::vector<mesh::Point>& points) {
+  double greatest = 0;
+  double widest = 0;
+  for (const mesh::Point& p : points) {
+    greatest = std::max({greatest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    const Vector d = difference(p, points[0]);
+    widest = std::max({widest, std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+  }
+  return greatest <= kGreatest && widest >= kLeast;
+}
+
 }  // namespace
 
 std::variant<Filled, BrokenLaw> fill_with_lattice(const mesh::FacetMesh& surface,
@@ -231,6 +246,8 @@ std::variant<Filled, BrokenLaw> fill_with_lattice(const mesh::FacetMesh& surface
   expect_sound(options);
   auto closed = ClosedSurface::of(surface, options.flatness);
   if (const auto* fault = std::get_if<BrokenLaw>(&closed)) return *fault;
+  if (!has_usual_size(std::get<ClosedSurface>(closed).points()))
+    return BrokenLaw{"coordinates above 2^240 or a surface smaller than 2^-240: to be scaled"};
   return Filling(std::get<ClosedSurface>(std::move(closed)), options).run();
 }
 

@@ -34,7 +34,8 @@
 /// Requires. Finite coordinates, indices below points.size(), threads >= 1, spacing >= 0 and
 /// clearance > 0, both finite, flatness >= 0, rounds >= 1; else PreconditionViolated.
 /// Refused, as a broken law: quads, no triangles, triangles without area, points at one place, an
-/// edge that is not in two triangles, surfaces that meet themselves; lattices of more than 2^28
+/// edge that is not in two triangles, surfaces that meet themselves; coordinates above 2^240 and
+/// surfaces smaller than 2^-240; lattices of more than 2^28
 /// places; surfaces that could not be recovered, which have sharp angles or parts that are
 /// much nearer to each other than their triangles are wide: finer triangles there are the remedy.
 /// The orientation of the triangles is of no account. Several closed surfaces inside each other

@@ -1,4 +1,5 @@
 #include "meshing/hybrid/lattice_points.hpp"
+#include "enum/core/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -270,7 +271,7 @@ std::variant<std::vector<mesh::Point>, complex::BrokenLaw> lattice_points(
     return complex::BrokenLaw{
         "the lattice would have more than 2^28 places in the bounding box: "
         "the spacing " +
-        std::to_string(spacing) + " is too small"};
+        core::shortest(spacing) + " is too small"};
   lattice.allocate();
   // A step that crosses the surface has an end that is at most half a step away from it.
   const double wall = lattice.greatest_step() * (0.5 + 1e-9);

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "enum/core/words.hpp"
 #include "meshing/hybrid/lattice_vectors.hpp"
 
 namespace hexatlas::hybrid {
@@ -142,8 +143,7 @@ class Recovery {
   /// was recovered.
   bool report(Index v) {
     const mesh::Point& p = tets_.points()[v];
-    crossing_ = complex::BrokenLaw{"the surface meets itself near (" + std::to_string(p.x) + ", " +
-                                   std::to_string(p.y) + ", " + std::to_string(p.z) + ")"};
+    crossing_ = complex::BrokenLaw{"the surface meets itself near " + core::place(p.x, p.y, p.z)};
     return false;
   }
 

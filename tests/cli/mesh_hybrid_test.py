@@ -158,6 +158,14 @@ class MeshHybridTest(program.ProgramTest):
         ran = self.hexatlas("mesh", "hybrid", self.box((2, 2, 2), cut=True), "--fill", "lattice",
                             "-o", "open.vtu")
         self.expect_fault(ran, "box.obj")
+        for factor in ("1e307", "1e-300"):
+            box = self.read(self.box((2, 2, 2))).decode()
+            self.write("box.obj", "".join(
+                "v " + " ".join(str(float(x) * float(factor)) for x in line.split()[1:]) + "\n"
+                if line.startswith("v") else line + "\n" for line in box.splitlines()))
+            ran = self.hexatlas("mesh", "hybrid", "box.obj", "--fill", "lattice", "-o", "far.vtu")
+            self.expect_fault(ran, "box.obj")
+            self.assertIn("scaled", ran.err)
         self.assertEqual(self.hexatlas("mesh", "hybrid", "box.obj", "--spacing", "1", "-o",
                                        "x.vtu").code, 2)
 

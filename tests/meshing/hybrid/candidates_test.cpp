@@ -70,6 +70,15 @@ TEST(Candidates, ThresholdsAreExact) {
   EXPECT_EQ(count(1.0 / 3, 0.4999999), 279U);
 }
 
+TEST(Candidates, AreTheSameAtAnyScale) {
+  for (const double step : {0x1p-1000, 0x1p-500, 0x1p-300, 0x1p300, 0x1p500, 0x1p1000}) {
+    const Candidates found = hybrid::candidates(graph_of(kuhn(2, step)), 0.3);
+    EXPECT_EQ(found.hexahedra.cells.size(), 62U) << step;
+    EXPECT_EQ(found.prisms.cells.size(), 120U) << step;
+    EXPECT_EQ(found.pyramids.cells.size(), 72U) << step;
+  }
+}
+
 TEST(Candidates, AreThoseOfBruteForceOnLattices) {
   expect_as_by_brute_force(kuhn(1, 1), 0);
   mesh::TetMesh bent = kuhn(1, 4);
