@@ -9,6 +9,7 @@
 #include "meshing/hybrid/occupancy.hpp"
 #include "meshing/quality/cells.hpp"
 #include "meshing/quality/edge.hpp"
+#include "meshing/quality/vector.hpp"
 
 namespace hexatlas::hybrid {
 namespace {
@@ -322,10 +323,9 @@ class Attempt {
 
   /// Normal to both diagonals, outwards, as long as their mean.
   [[nodiscard]] mesh::Point above(const Quad& q) const {
-    const mesh::Point u = quality::direction(points_[q[0]], points_[q[2]]);
-    const mesh::Point v = quality::direction(points_[q[1]], points_[q[3]]);
-    const mesh::Point n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-    const mesh::Point normal = quality::direction({}, n);
+    const mesh::Point normal =
+        quality::direction({}, quality::cross(quality::direction(points_[q[0]], points_[q[2]]),
+                                              quality::direction(points_[q[1]], points_[q[3]])));
     const double scale = quality::length(points_[q[0]], points_[q[2]], 0.5) +
                          quality::length(points_[q[1]], points_[q[3]], 0.5);
     return {scale * normal.x, scale * normal.y, scale * normal.z};

@@ -1,12 +1,11 @@
 #include "meshing/hybrid/corners.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "meshing/hybrid/blocks.hpp"
 #include "meshing/quality/edge.hpp"
+#include "meshing/quality/vector.hpp"
 
 namespace hexatlas::hybrid {
 namespace {
@@ -59,10 +58,8 @@ class Links {
 };
 
 double squared_sine(const Direction& a, const Direction& b) {
-  const double x = a.y * b.z - a.z * b.y;
-  const double y = a.z * b.x - a.x * b.z;
-  const double z = a.x * b.y - a.y * b.x;
-  return x * x + y * y + z * z;
+  const mesh::Point normal = quality::cross(a, b);
+  return quality::dot(normal, normal);
 }
 
 /// The corners at one vertex after another.

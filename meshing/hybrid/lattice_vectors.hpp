@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "meshing/mesh/mesh.hpp"
+#include "meshing/quality/vector.hpp"
 
 namespace hexatlas::hybrid {
 
@@ -15,13 +16,8 @@ using Vector = mesh::Point;
   return {to.x - from.x, to.y - from.y, to.z - from.z};
 }
 
-[[nodiscard]] inline Vector cross(const Vector& a, const Vector& b) noexcept {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-[[nodiscard]] inline double dot(const Vector& a, const Vector& b) noexcept {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
+using quality::cross;
+using quality::dot;
 
 [[nodiscard]] inline double norm(const Vector& a) noexcept { return std::sqrt(dot(a, a)); }
 

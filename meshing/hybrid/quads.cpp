@@ -7,6 +7,7 @@
 
 #include "enum/core/checks.hpp"
 #include "meshing/quality/edge.hpp"
+#include "meshing/quality/vector.hpp"
 
 namespace hexatlas::hybrid {
 namespace {
@@ -41,10 +42,7 @@ double quality_of(const std::vector<mesh::Point>& points, const std::array<Index
   const auto edge = [&](std::size_t from, std::size_t to) {
     return quality::direction(points[quad[from % 4]], points[quad[to % 4]]);
   };
-  const mesh::Point u = edge(0, 2);
-  const mesh::Point v = edge(1, 3);
-  const mesh::Point product{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-  const mesh::Point normal = quality::direction({}, product);
+  const mesh::Point normal = quality::direction({}, quality::cross(edge(0, 2), edge(1, 3)));
   double least = 1;
   for (std::size_t i = 0; i < 4; ++i)
     least = std::min(least, quality::determinant(edge(i, i + 1), edge(i, i + 3), normal));

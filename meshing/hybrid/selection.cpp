@@ -6,20 +6,14 @@
 
 #include "enum/core/checks.hpp"
 #include "meshing/hybrid/occupancy.hpp"
-#include "meshing/quality/edge.hpp"
+#include "meshing/quality/report.hpp"
+#include "meshing/quality/volume.hpp"
 
 namespace hexatlas::hybrid {
 namespace {
 
 double volume(const TetGraph& graph, TetIndex t) {
-  const auto points = graph.points();
-  const mesh::Point& o = points[graph[t][0]];
-  std::array<mesh::Point, 3> edge{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const mesh::Point& p = points[graph[t][i + 1]];
-    edge[i] = {p.x - o.x, p.y - o.y, p.z - o.z};
-  }
-  return quality::determinant(edge[0], edge[1], edge[2]) / 6;
+  return quality::volume(quality::corners_of(graph.points(), graph[t]));
 }
 
 class Selector {

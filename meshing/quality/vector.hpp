@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Products of vectors. Private to meshing/quality.
+/// Products of vectors in double precision.
 
 #include "meshing/mesh/mesh.hpp"
 
