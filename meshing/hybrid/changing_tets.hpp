@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "meshing/hybrid/glued_tets.hpp"
 #include "meshing/hybrid/tet_graph.hpp"
 
 namespace hexatlas::hybrid {
@@ -32,12 +33,12 @@ class ChangingTets {
   static constexpr Owner kGone = 0xFFFF'FFFE;     ///< replaced
   static constexpr Owner kPyramid = 0xFFFF'FFFD;  ///< half of an inserted pyramid
 
-  explicit ChangingTets(const TetGraph& graph);
+  explicit ChangingTets(const TetGraph& graph) : tets_(graph), owner_(graph.size(), kFree) {}
 
-  [[nodiscard]] std::size_t size() const noexcept { return tetrahedra_.size(); }
-  [[nodiscard]] const Tetrahedron& operator[](TetIndex t) const noexcept { return tetrahedra_[t]; }
+  [[nodiscard]] std::size_t size() const noexcept { return tets_.size(); }
+  [[nodiscard]] const Tetrahedron& operator[](TetIndex t) const noexcept { return tets_[t]; }
   [[nodiscard]] TetIndex across(Side side) const noexcept {
-    return across_[std::size_t{side.tetrahedron} * 4 + side.facet];
+    return tets_.across(side.tetrahedron, side.facet);
   }
   [[nodiscard]] Owner owner(TetIndex t) const noexcept { return owner_[t]; }
   void own(TetIndex t, Owner owner) noexcept { owner_[t] = owner; }
@@ -57,8 +58,7 @@ class ChangingTets {
                std::span<const Owner> owners);
 
  private:
-  std::vector<Tetrahedron> tetrahedra_;
-  std::vector<TetIndex> across_;
+  GluedTets tets_;
   std::vector<Owner> owner_;
 };
 

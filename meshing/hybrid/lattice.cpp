@@ -23,7 +23,6 @@ namespace {
 
 using complex::BrokenLaw;
 using mesh::Index;
-using TetIndex = FlippedTets::TetIndex;
 
 constexpr std::size_t kCorners = 8;
 

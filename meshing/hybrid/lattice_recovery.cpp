@@ -13,8 +13,6 @@ namespace {
 
 using exact::Sign;
 using Index = mesh::Index;
-using Tetrahedron = FlippedTets::Tetrahedron;
-using TetIndex = FlippedTets::TetIndex;
 using Triangle = ClosedSurface::Triangle;
 
 /// Exchanges made for one edge or triangle before it is given up.

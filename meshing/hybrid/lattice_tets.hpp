@@ -3,13 +3,13 @@
 /// Private to the filling by lattices: tetrahedra that fill a convex body and are exchanged for
 /// others with the same union.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "meshing/hybrid/glued_tets.hpp"
 #include "meshing/mesh/mesh.hpp"
 #include "realize/exact/orientation.hpp"
 
@@ -17,22 +17,19 @@ namespace hexatlas::hybrid {
 
 class FlippedTets {
  public:
-  using Index = mesh::Index;
-  using Tetrahedron = std::array<Index, 4>;
-  using TetIndex = std::uint32_t;
-  static constexpr TetIndex kOutside = 0xFFFF'FFFF;
+  static constexpr TetIndex kOutside = GluedTets::kOutside;
 
   /// Requires right-handed tetrahedra of which no two overlap, fewer than 2^30, that meet in common
   /// facets and have all points as vertices. The points have to stay where they are.
   FlippedTets(std::span<const mesh::Point> points, std::vector<Tetrahedron> tetrahedra);
 
   /// Of the list, with those that were replaced.
-  [[nodiscard]] std::size_t size() const noexcept { return tetrahedra_.size(); }
-  [[nodiscard]] bool is_there(TetIndex t) const noexcept { return tetrahedra_[t][0] != kGone; }
-  [[nodiscard]] const Tetrahedron& operator[](TetIndex t) const noexcept { return tetrahedra_[t]; }
+  [[nodiscard]] std::size_t size() const noexcept { return tets_.size(); }
+  [[nodiscard]] bool is_there(TetIndex t) const noexcept { return is_gone_[t] == 0; }
+  [[nodiscard]] const Tetrahedron& operator[](TetIndex t) const noexcept { return tets_[t]; }
   /// Beyond the facet opposite to a vertex of t.
   [[nodiscard]] TetIndex across(TetIndex t, std::size_t facet) const noexcept {
-    return across_[std::size_t{t} * 4 + facet];
+    return tets_.across(t, facet);
   }
   [[nodiscard]] std::span<const mesh::Point> points() const noexcept { return points_; }
   [[nodiscard]] exact::Sign orientation(Index a, Index b, Index c, Index d) const;
@@ -55,23 +52,13 @@ class FlippedTets {
   void replace(std::span<const TetIndex> old, std::span<const Tetrahedron> fresh);
 
  private:
-  static constexpr Index kGone = 0xFFFF'FFFF;
-  void glue();
-
   std::span<const mesh::Point> points_;
-  std::vector<Tetrahedron> tetrahedra_;
-  std::vector<TetIndex> across_;
+  GluedTets tets_;
+  std::vector<std::uint8_t> is_gone_;
   std::vector<TetIndex> at_;  ///< one per vertex
   mutable std::vector<std::uint32_t> seen_;
   mutable std::uint32_t question_ = 0;
   mutable std::vector<TetIndex> found_;
 };
-
-[[nodiscard]] inline std::size_t place_of(const FlippedTets::Tetrahedron& t,
-                                          mesh::Index v) noexcept {
-  std::size_t i = 0;
-  while (i < 4 && t[i] != v) ++i;
-  return i;
-}
 
 }  // namespace hexatlas::hybrid
