@@ -69,9 +69,8 @@ std::string classes_line(const std::vector<std::size_t>& counts) {
     }
   }
   if (classes == 0) return "";
-  return fmt::format(
-      "{} of the 174 subdivisions of the hexahedron; most often class {}, {} times\n", classes,
-      greatest, most);
+  return fmt::format("{} of the {} subdivisions of the hexahedron; most often class {}, {} times\n",
+                     classes, counts.size() - 1, greatest, most);
 }
 
 template <std::size_t N>

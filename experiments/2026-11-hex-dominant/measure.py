@@ -21,11 +21,11 @@ def run(*arguments):
 
 def line(program, surface, mesh):
     name = os.path.basename(surface)[:-len(".msh")]
-    made = run(program, "mesh", "hybrid", surface, "--fill", "lattice", "-o", mesh, "--json")
-    if made.returncode != 0:
-        return [name] + [made.stderr.strip()] + [""] * (len(COLUMNS) - 2)
-    plain = json.loads(run(program, "mesh", "hybrid", surface, "--fill", "lattice", "-o", mesh,
-                           "--no-conforming", "--json").stdout)
+    plain = run(program, "mesh", "hybrid", surface, "--fill", "lattice", "-o", mesh,
+                "--no-conforming", "--json")
+    if plain.returncode != 0:
+        return [name] + [plain.stderr.strip()] + [""] * (len(COLUMNS) - 2)
+    plain = json.loads(plain.stdout)
     made = json.loads(run(program, "mesh", "hybrid", surface, "--fill", "lattice", "-o", mesh,
                           "--json").stdout)
     judged = run(program, "check", "--hybrid", mesh).returncode

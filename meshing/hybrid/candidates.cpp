@@ -1,6 +1,6 @@
 #include "meshing/hybrid/candidates.hpp"
 
-#include <utility>
+#include <algorithm>
 
 #include "enum/core/checks.hpp"
 #include "meshing/hybrid/around.hpp"

@@ -3,6 +3,7 @@
 #include "enum/core/checks.hpp"
 
 namespace hexatlas::hybrid {
+
 ChangingTets::FanAnswer ChangingTets::fan(Index p, Index r, Index from, Index to,
                                           TetIndex first) const {
   FanAnswer answer;

@@ -2,7 +2,6 @@
 /// \file
 /// Private to meshing/hybrid: tetrahedra of which some belong to cells and some are replaced.
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>

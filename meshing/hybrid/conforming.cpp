@@ -9,6 +9,7 @@
 #include "meshing/hybrid/occupancy.hpp"
 #include "meshing/quality/cells.hpp"
 #include "meshing/quality/edge.hpp"
+#include "meshing/quality/report.hpp"
 #include "meshing/quality/vector.hpp"
 
 namespace hexatlas::hybrid {
@@ -28,8 +29,7 @@ class Attempt {
         is_given_up_(cells.size(), 0) {
     for (std::uint32_t c = 0; c < cells.size(); ++c) {
       const CellView view = view_of(candidates, cells[c]);
-      for (const TetIndex t : view.inner) tets_.own(t, c);
-      for (const TetIndex t : view.flat) tets_.own(t, c);
+      for (const TetIndex t : view.all()) tets_.own(t, c);
     }
   }
 
@@ -41,7 +41,7 @@ class Attempt {
       });
   }
 
-  std::size_t count_open_quads() {
+  [[nodiscard]] std::size_t count_open_quads() const {
     std::size_t count = 0;
     for (std::uint32_t c = 0; c < cells_.size(); ++c)
       for_each_open_quad(c, [&count](const Quad&, const std::array<Side, 2>&) { ++count; });
@@ -84,14 +84,12 @@ class Attempt {
  private:
   /// visit(quad, the two sides of its outer triangles) for quads that meet free tetrahedra.
   template <class Visit>
-  void for_each_open_quad(std::uint32_t c, const Visit& visit) {
+  void for_each_open_quad(std::uint32_t c, const Visit& visit) const {
     const CellView view = view_of(candidates_, cells_[c]);
-    std::vector<TetIndex> all(view.inner.begin(), view.inner.end());
-    all.insert(all.end(), view.flat.begin(), view.flat.end());
     for (const LocalQuad& local : quads_of(view.shape)) {
       Quad quad{};
       for (std::size_t i = 0; i < 4; ++i) quad[i] = view.vertices[local[i]];
-      const auto outer = outer_sides(all, quad);
+      const auto outer = outer_sides(view.all(), quad);
       const TetIndex beyond = tets_.across(outer[0]);
       const TetIndex other = tets_.across(outer[1]);
       core::ensures((beyond == TetGraph::kOutside) == (other == TetGraph::kOutside),
@@ -106,32 +104,29 @@ class Attempt {
                                                 const Quad& quad) const {
     std::array<Side, 2> result{};
     std::size_t count = 0;
-    const auto is_in_quad = [&quad](Index v) {
-      return std::find(quad.begin(), quad.end(), v) != quad.end();
-    };
     for (const TetIndex t : all)
       for (unsigned facet = 0; facet < 4; ++facet) {
-        bool is_outer = true;
-        for (unsigned i = 0; i < 4; ++i)
-          is_outer = is_outer && (i == facet || is_in_quad(tets_[t][i]));
-        const TetIndex beyond = tets_.across({t, facet});
-        if (!is_outer || std::find(all.begin(), all.end(), beyond) != all.end()) continue;
+        const Side side{t, facet};
+        const auto common =
+            std::count_if(quad.begin(), quad.end(), [&](Index v) { return has(side, v); });
+        if (common < 3 || std::find(all.begin(), all.end(), tets_.across(side)) != all.end())
+          continue;
         core::ensures(count < 2, "a quad has two outer triangles");
-        result[count++] = {t, facet};
+        result[count++] = side;
       }
     core::ensures(count == 2, "a quad has two outer triangles");
     return result;
   }
 
+  /// Whether the facet has this vertex.
+  [[nodiscard]] bool has(Side side, Index v) const {
+    const std::size_t place = place_of(tets_[side.tetrahedron], v);
+    return place < 4 && place != side.facet;
+  }
+
   /// The quad as p q r s such that its outer triangles are p q r and p r s, the first that of
   /// outer[0].
   [[nodiscard]] Quad from_diagonal(const Quad& quad, const std::array<Side, 2>& outer) const {
-    const auto has = [&](const Side& side, Index v) {
-      const Tetrahedron& t = tets_[side.tetrahedron];
-      for (unsigned i = 0; i < 4; ++i)
-        if (i != side.facet && t[i] == v) return true;
-      return false;
-    };
     for (std::size_t i = 0; i < 4; ++i) {
       const Quad turned{quad[i], quad[(i + 1) % 4], quad[(i + 2) % 4], quad[(i + 3) % 4]};
       if (!has(outer[0], turned[3]) && !has(outer[1], turned[1])) return turned;
@@ -175,18 +170,22 @@ class Attempt {
     return {q[0], q[1], q[2], q[3], apex};
   }
 
-  /// The least shape of the pyramid if it is valid, otherwise 0.
-  [[nodiscard]] double quality_of(const mesh::Pyramid& pyramid) const {
-    quality::PyramidCorners corners{};
-    for (std::size_t i = 0; i < 5; ++i) corners[i] = points_[pyramid[i]];
-    if (quality::verdict_of_pyramid(corners).validity != quality::Validity::valid) return 0;
-    return quality::scaled_jacobian(corners);
+  template <std::size_t N>
+  [[nodiscard]] std::array<mesh::Point, N> corners_of(const std::array<Index, N>& cell) const {
+    return quality::corners_of(std::span<const mesh::Point>(points_), cell);
   }
-  [[nodiscard]] double quality_of(const Tetrahedron& tetrahedron) const {
-    quality::TetrahedronCorners corners{};
-    for (std::size_t i = 0; i < 4; ++i) corners[i] = points_[tetrahedron[i]];
-    if (quality::verdict_of_tetrahedron(corners).validity != quality::Validity::valid) return 0;
-    return quality::scaled_jacobian(corners);
+  static bool is_valid(const quality::PyramidCorners& corners) {
+    return quality::verdict_of_pyramid(corners).validity == quality::Validity::valid;
+  }
+  static bool is_valid(const quality::TetrahedronCorners& corners) {
+    return quality::verdict_of_tetrahedron(corners).validity == quality::Validity::valid;
+  }
+
+  /// The shape of a tetrahedron or pyramid if it is valid, otherwise 0.
+  template <std::size_t N>
+  [[nodiscard]] double quality_of(const std::array<Index, N>& cell) const {
+    const std::array<mesh::Point, N> corners = corners_of(cell);
+    return is_valid(corners) ? quality::scaled_jacobian(corners) : 0;
   }
 
   bool put_pyramid_of(const Quad& q, const Fan& fan) {
@@ -218,7 +217,7 @@ class Attempt {
         const TetIndex t = result.old[i];
         const TetIndex beyond = tets_.across({t, facet});
         if (is_in(beyond) || is_on(q, {t, facet})) continue;
-        if (quality_of(with_apex({t, facet}, apex)) > 0) continue;
+        if (is_valid(corners_of(with_apex({t, facet}, apex)))) continue;
         if (beyond == TetGraph::kOutside || tets_.owner(beyond) != ChangingTets::kFree ||
             result.old.size() == kMost)
           return std::nullopt;
@@ -242,13 +241,7 @@ class Attempt {
 
   /// Whether it is one of the two triangles at the diagonal.
   [[nodiscard]] bool is_on(const Quad& q, Side side) const {
-    const Tetrahedron& t = tets_[side.tetrahedron];
-    const auto has = [&](Index v) {
-      for (unsigned i = 0; i < 4; ++i)
-        if (i != side.facet && t[i] == v) return true;
-      return false;
-    };
-    return has(q[0]) && has(q[2]) && (has(q[1]) || has(q[3]));
+    return has(side, q[0]) && has(side, q[2]) && (has(side, q[1]) || has(side, q[3]));
   }
 
   [[nodiscard]] bool loses_a_vertex(const Cavity& cavity, const Quad& q) const {

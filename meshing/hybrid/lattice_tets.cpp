@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "meshing/quality/edge.hpp"
+
 namespace hexatlas::hybrid {
+
 FlippedTets::FlippedTets(std::span<const mesh::Point> points, std::vector<Tetrahedron> tetrahedra)
     : points_(points),
       tets_(std::move(tetrahedra)),
@@ -15,10 +18,7 @@ FlippedTets::FlippedTets(std::span<const mesh::Point> points, std::vector<Tetrah
 }
 
 exact::Sign FlippedTets::orientation(Index a, Index b, Index c, Index d) const {
-  const auto at = [this](Index v) {
-    const mesh::Point& p = points_[v];
-    return exact::Point3{p.x, p.y, p.z};
-  };
+  const auto at = [this](Index v) { return quality::exact_point(points_[v]); };
   return exact::sign_of_orientation(at(a), at(b), at(c), at(d));
 }
 

@@ -19,8 +19,12 @@ namespace hexatlas::hybrid {
 struct CellView {
   Shape shape = Shape::hexahedron;
   std::span<const Index> vertices;
-  std::span<const TetIndex> inner, flat;
+  std::span<const TetIndex> inner, flat;  ///< one after the other in the candidates' list
   double quality = 0;
+
+  [[nodiscard]] std::span<const TetIndex> all() const noexcept {
+    return {inner.data(), inner.size() + flat.size()};
+  }
 };
 
 [[nodiscard]] CellView view_of(const Candidates& candidates, Cell cell);

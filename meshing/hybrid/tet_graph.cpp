@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "enum/core/checks.hpp"
+#include "meshing/quality/edge.hpp"
 #include "realize/exact/orientation.hpp"
 
 namespace hexatlas::hybrid {
@@ -14,7 +15,7 @@ using complex::BrokenLaw;
 
 constexpr std::size_t kMostTetrahedra = std::size_t{1} << 30U;
 
-exact::Point3 exact_point(const mesh::Point& p) { return {p.x, p.y, p.z}; }
+using quality::exact_point;
 
 Triangle sorted(Triangle triangle) {
   std::sort(triangle.begin(), triangle.end());

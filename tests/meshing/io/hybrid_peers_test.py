@@ -9,14 +9,10 @@ Exit 77 if either is missing.
 usage: hybrid_peers_test.py MESH_TOOL
 """
 import collections
-import itertools
-import pathlib
-import shutil
 import sys
-import tempfile
 
-from peers_test import (Failures, SKIP, check_gmsh_opens, close, converted_by_gmsh, import_vtk, legacy_writers,
-                        printed, read_with_vtk, run, said_by_gmsh, vtu_writers)
+from peers_test import (check_gmsh_opens, close, converted_by_gmsh, printed, read_with_vtk, run, run_peers,
+                        said_by_gmsh, written_by_vtk)
 
 COUNTS = {4: 12, 8: 6, 6: 4, 5: 12}  # of corners, in the mesh of mesh_tool
 # The facets of each cell in the project's order of corners, counterclockwise seen from outside.
@@ -74,15 +70,10 @@ def check_vtk_reads_ours(vtk, tool, folder, mesh, failures):
 def check_we_read_vtk(vtk, tool, folder, mesh, failures):
     grid = read_with_vtk(vtk, folder / "ours.vtu")
     grid.InsertNextCell(vtk.VTK_TRIANGLE, 3, (0, 1, 2))  # ignored
-    for name, writer in itertools.chain(vtu_writers(vtk), legacy_writers(vtk)):
-        path = folder / name
-        writer.SetFileName(str(path))
-        writer.SetInputData(grid)
-        writer.Write()
-        is_text = name.endswith(".vtk") or name.startswith("ascii")
+    for path, is_text in written_by_vtk(vtk, grid, folder):
         theirs = printed(tool, "print-hybrid", path)
         failures.expect(not isinstance(theirs, str) and theirs[1] == mesh[1] and
-                        close(mesh, theirs, 1e-4 if is_text else 0), f"written by VTK: {name}")
+                        close(mesh, theirs, 1e-4 if is_text else 0), f"written by VTK: {path.name}")
 
 
 def check_gmsh(tool, folder, mesh, failures):
@@ -105,25 +96,15 @@ def check_gmsh(tool, folder, mesh, failures):
     check_gmsh_opens(path, folder, failures, COUNTS[4] + COUNTS[8])
 
 
-def main():
-    vtk = import_vtk()
-    if shutil.which("gmsh") is None:
-        print("skipped: no gmsh")
-        return SKIP
-    tool = sys.argv[1]
-    failures = Failures()
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        run(tool, "write-hybrid", "vtu", folder / "first.vtu")
-        mesh = printed(tool, "print-hybrid", folder / "first.vtu")
-        failures.expect(collections.Counter(map(len, mesh[1])) == COUNTS, "numbers of cells")
-        failures.expect(all(volume([mesh[0][v] for v in cell]) > 0 for cell in mesh[1]), "positive volumes")
-        check_vtk_reads_ours(vtk, tool, folder, mesh, failures)
-        check_we_read_vtk(vtk, tool, folder, mesh, failures)
-        check_gmsh(tool, folder, mesh, failures)
-    print(f"{len(failures)} failures")
-    return 1 if failures else 0
+def check_all(vtk, tool, folder, failures):
+    run(tool, "write-hybrid", "vtu", folder / "first.vtu")
+    mesh = printed(tool, "print-hybrid", folder / "first.vtu")
+    failures.expect(collections.Counter(map(len, mesh[1])) == COUNTS, "numbers of cells")
+    failures.expect(all(volume([mesh[0][v] for v in cell]) > 0 for cell in mesh[1]), "positive volumes")
+    check_vtk_reads_ours(vtk, tool, folder, mesh, failures)
+    check_we_read_vtk(vtk, tool, folder, mesh, failures)
+    check_gmsh(tool, folder, mesh, failures)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_peers(check_all))

@@ -122,21 +122,25 @@ def legacy_writers(vtk):
         yield f"legacy{version}.vtk", writer
 
 
+def written_by_vtk(vtk, grid, folder):
+    """(path, whether it has fewer digits than the numbers: VTK's ASCII) of the grid in each encoding."""
+    for name, writer in itertools.chain(vtu_writers(vtk), legacy_writers(vtk)):
+        path = folder / name
+        writer.SetFileName(str(path))
+        writer.SetInputData(grid)
+        writer.Write()
+        yield path, name.endswith(".vtk") or name.startswith("ascii")
+
+
 def check_we_read_vtk(vtk, tool, folder, failures):
     for single in (True, False):
         grid, points, quads = make_vtk_surface(vtk, single)
-        for name, writer in itertools.chain(vtu_writers(vtk), legacy_writers(vtk)):
-            path = folder / name
-            writer.SetFileName(str(path))
-            writer.SetInputData(grid)
-            writer.Write()
+        for path, is_text in written_by_vtk(vtk, grid, folder):
             mesh = printed(tool, "print-surface", path)
-            # VTK's ASCII has fewer digits than the numbers; in binary they are equal.
-            is_text = name.endswith(".vtk") or name.startswith("ascii")
             tolerance = 1e-5 if is_text else 0
             same = (not isinstance(mesh, str) and mesh[1] == quads and len(mesh[0]) == 8 and
                     all(abs(a - b) <= tolerance for p, q in zip(mesh[0], points) for a, b in zip(p, q)))
-            failures.expect(same, f"written by VTK: {name}, single {single}: {mesh}")
+            failures.expect(same, f"written by VTK: {path.name}, single {single}: {mesh}")
     poly = vtk.vtkGeometryFilter()
     poly.SetInputData(grid)
     for version in (42, 51):
@@ -201,21 +205,24 @@ def check_gmsh(tool, folder, failures):
             failures.expect(verb == "surface" or len(theirs[0]) == POINTS, f"points of {target.name}")
 
 
-def main():
+def run_peers(check):
+    """check(vtk, tool, folder, failures) in an empty folder; the exit code."""
     vtk = import_vtk()
     if shutil.which("gmsh") is None:
         print("skipped: no gmsh")
         return SKIP
-    tool = sys.argv[1]
     failures = Failures()
     with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        check_vtk_reads_ours(vtk, tool, folder, failures)
-        check_we_read_vtk(vtk, tool, folder, failures)
-        check_gmsh(tool, folder, failures)
+        check(vtk, sys.argv[1], pathlib.Path(name), failures)
     print(f"{len(failures)} failures")
     return 1 if failures else 0
 
 
+def check_all(vtk, tool, folder, failures):
+    check_vtk_reads_ours(vtk, tool, folder, failures)
+    check_we_read_vtk(vtk, tool, folder, failures)
+    check_gmsh(tool, folder, failures)
+
+
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_peers(check_all))

@@ -28,18 +28,7 @@ inline const std::string kHybridVtk =
     "CELLS 6 37\n5 0 1 2 3 4\n6 0 2 1 4 6 5\n8 0 1 2 3 4 5 6 7\n3 0 1 2\n4 0 1 3 4\n"
     "5 4 7 6 5 0\nCELL_TYPES 6\n14\n13\n12\n5\n10\n14\n";
 
-inline const std::string kHybridMedit = R"(MeshVersionFormatted 2
-Dimension 3
-Vertices 8
-0 0 0 0
-1 0 0 0
-1 1 0 0
-0 1 0 0
-0 0 1 0
-1 0 1 0
-1 1 1 0
-0 1 1 0
-Triangles 1
+inline const std::string kHybridMedit = kMeditCube + R"(Triangles 1
 1 2 3 7
 Pyramids 2
 1 2 3 4 5 1

@@ -95,18 +95,7 @@ inline const std::string kTetVtk =
     "# vtk DataFile Version 3.0\ntwo\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 double\n" +
     kPointRows + "CELLS 3 14\n4 0 1 3 4\n3 0 1 2\n4 6 4 1 3\nCELL_TYPES 3\n10\n5\n10\n";
 
-inline const std::string kTetMedit = R"(MeshVersionFormatted 2
-Dimension 3
-Vertices 8
-0 0 0 0
-1 0 0 0
-1 1 0 0
-0 1 0 0
-0 0 1 0
-1 0 1 0
-1 1 1 0
-0 1 1 0
-Triangles 1
+inline const std::string kTetMedit = kMeditCube + R"(Triangles 1
 1 2 4 7
 Tetrahedra 2
 1 2 4 5 1

@@ -144,7 +144,8 @@ inline std::vector<Sample> surface_samples() {
   };
 }
 
-inline const std::string kHexMedit = R"(MeshVersionFormatted 2
+/// The head of a MEDIT file up to the corners of a cube.
+inline const std::string kMeditCube = R"(MeshVersionFormatted 2
 Dimension 3
 Vertices 8
 0 0 0 0
@@ -155,7 +156,9 @@ Vertices 8
 1 0 1 0
 1 1 1 0
 0 1 1 0
-Quadrilaterals 1
+)";
+
+inline const std::string kHexMedit = kMeditCube + R"(Quadrilaterals 1
 1 4 3 2 5
 Hexahedra 1
 1 2 3 4 5 6 7 8 0

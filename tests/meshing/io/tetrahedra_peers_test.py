@@ -6,16 +6,12 @@ Oracle. VTK (readers, writers), the gmsh program, and Python's own packing of nu
 
 usage: tetrahedra_peers_test.py MESH_TOOL
 """
-import itertools
-import pathlib
 import random
-import shutil
 import struct
 import sys
-import tempfile
 
-from peers_test import (POINTS, SKIP, Failures, check_gmsh_opens, close, converted_by_gmsh, import_vtk, legacy_writers,
-                        printed, read_with_vtk, run, vtu_writers)
+from peers_test import (POINTS, check_gmsh_opens, close, converted_by_gmsh, printed, read_with_vtk, run, run_peers,
+                        written_by_vtk)
 
 TETRAHEDRA = 72  # of the mesh that mesh_tool writes
 
@@ -67,17 +63,12 @@ def check_ours(vtk, tool, folder, failures):
 def check_theirs(vtk, tool, folder, mesh, failures):
     grid = read_with_vtk(vtk, folder / "ours.vtu")
     grid.InsertNextCell(vtk.VTK_TRIANGLE, 3, (0, 1, 2))  # ignored
-    for name, writer in itertools.chain(vtu_writers(vtk), legacy_writers(vtk)):
-        path = folder / name
-        writer.SetFileName(str(path))
-        writer.SetInputData(grid)
-        writer.Write()
-        is_text = name.endswith(".vtk") or name.startswith("ascii")
+    for path, is_text in written_by_vtk(vtk, grid, folder):
         theirs = printed(tool, "print-tetrahedra", path)
         failures.expect(not isinstance(theirs, str) and theirs[1] == mesh[1] and
-                        close(mesh, theirs, 1e-4 if is_text else 0), f"written by VTK: {name}")
+                        close(mesh, theirs, 1e-4 if is_text else 0), f"written by VTK: {path.name}")
         points = printed(tool, "print-points", path)
-        failures.expect(not isinstance(points, str) and points[0] == theirs[0], f"points of {name}: {points}")
+        failures.expect(not isinstance(points, str) and points[0] == theirs[0], f"points of {path.name}: {points}")
 
 
 def expect_points(tool, path, expected, tolerance, failures):
@@ -116,21 +107,11 @@ def check_points(vtk, tool, folder, failures):
     expect_points(tool, folder / "vtk.xyz", expected, 1e-5, failures)
 
 
-def main():
-    vtk = import_vtk()
-    if shutil.which("gmsh") is None:
-        print("skipped: no gmsh")
-        return SKIP
-    tool = sys.argv[1]
-    failures = Failures()
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        mesh = check_ours(vtk, tool, folder, failures)
-        check_theirs(vtk, tool, folder, mesh, failures)
-        check_points(vtk, tool, folder, failures)
-    print(f"{len(failures)} failures")
-    return 1 if failures else 0
+def check_all(vtk, tool, folder, failures):
+    mesh = check_ours(vtk, tool, folder, failures)
+    check_theirs(vtk, tool, folder, mesh, failures)
+    check_points(vtk, tool, folder, failures)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_peers(check_all))
