@@ -70,44 +70,69 @@ class Gatherer {
       : graph_(graph),
         links_(links),
         directions_(directions),
-        least_squared_sine_(least_sine * least_sine) {}
+        least_squared_sine_(least_sine * least_sine),
+        place_(graph.points().size()) {}
 
-  void add(Index v, std::vector<std::uint32_t>& sizes, std::vector<Corner>& corners) const {
-    const std::size_t before = corners.size();
-    const auto neighbours = graph_.neighbours(v);
-    std::vector<std::uint32_t> at;
-    for (const Index z : neighbours) {
-      const auto link = links_.of(v, z);
-      at.clear();
-      for (const Index x : link) at.push_back(graph_.position(v, x));
-      for (std::size_t i = 0; i < at.size(); ++i)
-        for (std::size_t j = i + 1; j < at.size(); ++j) add_if_wide(v, at[i], at[j], z, corners);
-    }
-    for (std::uint32_t x = 0; x < neighbours.size(); ++x)
-      for (const Index w : links_.of(v, neighbours[x]))
-        if (w > neighbours[x])
-          for (const Index z : links_.of(neighbours[x], w))
-            if (z != v) add_if_wide(v, x, graph_.position(v, w), z, corners);
-    const auto first = corners.begin() + static_cast<std::ptrdiff_t>(before);
-    std::sort(first, corners.end());
-    corners.erase(std::unique(first, corners.end()), corners.end());
+  /// Appends the corners at v, ascending, and how many there are for each first neighbour.
+  void add(Index v, std::vector<std::uint32_t>& sizes, std::vector<Corner>& corners) {
+    gather(v);
+    const std::size_t degree = graph_.neighbours(v).size();
+    sort_by(&Corner::y, degree);
+    sort_by(&Corner::x, degree);
     const std::size_t row = sizes.size();
-    sizes.resize(row + neighbours.size());
-    for (std::size_t i = before; i < corners.size(); ++i) ++sizes[row + corners[i].x];
+    sizes.resize(row + degree);
+    for (auto first = found_.begin(); first != found_.end();) {
+      auto last = first;
+      while (last != found_.end() && last->x == first->x && last->y == first->y) ++last;
+      std::sort(first, last);
+      const auto end = std::unique(first, last);
+      corners.insert(corners.end(), first, end);
+      sizes[row + first->x] += static_cast<std::uint32_t>(end - first);
+      first = last;
+    }
   }
 
  private:
-  void add_if_wide(Index v, std::uint32_t x, std::uint32_t y, Index z,
-                   std::vector<Corner>& corners) const {
+  /// All corners at v, some of them twice.
+  void gather(Index v) {
+    found_.clear();
+    const auto neighbours = graph_.neighbours(v);
+    for (std::uint32_t x = 0; x < neighbours.size(); ++x) place_[neighbours[x]] = x;
+    for (std::uint32_t x = 0; x < neighbours.size(); ++x) {
+      const auto link = links_.of(v, neighbours[x]);
+      for (std::size_t i = 0; i < link.size(); ++i)
+        for (std::size_t j = i + 1; j < link.size(); ++j)
+          add_if_wide(v, place_[link[i]], place_[link[j]], neighbours[x]);
+      for (const Index w : link)
+        if (w > neighbours[x])
+          for (const Index z : links_.of(neighbours[x], w))
+            if (z != v) add_if_wide(v, x, place_[w], z);
+    }
+  }
+
+  void add_if_wide(Index v, std::uint32_t x, std::uint32_t y, Index z) {
     const Direction* direction = &directions_[graph_.first_edge(v)];
     if (squared_sine(direction[x], direction[y]) >= least_squared_sine_)
-      corners.push_back({x, y, z});
+      found_.push_back({x, y, z});
+  }
+
+  /// Sorts what was found by a position below `degree`, keeping the order of equal ones.
+  void sort_by(std::uint32_t Corner::*key, std::size_t degree) {
+    next_.assign(degree + 1, 0);
+    for (const Corner& c : found_) ++next_[c.*key + 1];
+    for (std::size_t i = 0; i < degree; ++i) next_[i + 1] += next_[i];
+    sorted_.resize(found_.size());
+    for (const Corner& c : found_) sorted_[next_[c.*key]++] = c;
+    found_.swap(sorted_);
   }
 
   const TetGraph& graph_;
   const Links& links_;
   const std::vector<Direction>& directions_;
   double least_squared_sine_;
+  std::vector<std::uint32_t> place_;  ///< of the neighbours of the last vertex, their positions
+  std::vector<Corner> found_, sorted_;
+  std::vector<std::size_t> next_;
 };
 
 }  // namespace
@@ -119,10 +144,10 @@ Corners::Corners(const TetGraph& graph, double least_sine, int threads)
     for (const Index w : graph.neighbours(v))
       directions_.push_back(quality::direction(graph.points()[v], graph.points()[w]));
   const Links links(graph, threads);
-  const Gatherer gatherer(graph, links, directions_, least_sine);
   using Rows = std::pair<std::vector<std::uint32_t>, std::vector<Corner>>;
   auto blocks =
       in_blocks<Rows>(graph.points().size(), threads, [&](Index first, Index end, Rows& rows) {
+        Gatherer gatherer(graph, links, directions_, least_sine);
         for (Index v = first; v < end; ++v) gatherer.add(v, rows.first, rows.second);
       });
   start_.reserve(graph.directed_edges() + 1);

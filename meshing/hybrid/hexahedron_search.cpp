@@ -61,9 +61,9 @@ void HexahedronSearch::join(const Around& around, const Start& start) {
     sides.clear();
     for (const Fourth& fourth : around.fourths(partner)) {
       if (partner.is_swapped)
-        sides.push_back({fourth.z, fourth.at_y, fourth.at_x});
+        sides.push_back({fourth.z, fourth.at_y, fourth.at_x, true, false});
       else
-        sides.push_back({fourth.z, fourth.at_x, fourth.at_y});
+        sides.push_back({fourth.z, fourth.at_x, fourth.at_y, true, false});
     }
   };
   gather(start.bd, c_);
@@ -73,15 +73,17 @@ void HexahedronSearch::join(const Around& around, const Start& start) {
 }
 
 /// For each pair of sides at b, d or e the vertices g that close the quad there, if the corner
-/// is good enough; false if one of the three has none at all.
+/// is good enough; false if one of the three has none at all. A side without any g at one corner
+/// is left out at the next.
 bool HexahedronSearch::gather_ends(Index a, const Start& start) {
   const auto neighbours = graph_.neighbours(a);
-  const auto gather = [&](Index v, const std::vector<Side>& one, auto at_one,
-                          const std::vector<Side>& two, auto at_two, auto jacobian, Ends& ends) {
+  const auto gather = [&](Index v, std::vector<Side>& one, auto at_one, std::vector<Side>& two,
+                          auto at_two, auto jacobian, Ends& ends) {
     bool is_any = false;
     ends.assign(one.size() * two.size(), {});
     for (std::size_t i = 0; i < one.size(); ++i)
       for (std::size_t j = 0; j < two.size(); ++j) {
+        if (!one[i].is_open || !two[j].is_open) continue;
         const std::uint32_t x = one[i].*at_one;
         const std::uint32_t y = two[j].*at_two;
         if (x == y || jacobian(corners_.direction(v, x), corners_.direction(v, y)) < least_)
@@ -89,8 +91,11 @@ bool HexahedronSearch::gather_ends(Index a, const Start& start) {
         auto& end = ends[i * two.size() + j];
         end = corners_.between(v, x, y);
         while (!end.empty() && end.front().z < a) end = end.subspan(1);
-        is_any = is_any || !end.empty();
+        if (end.empty()) continue;
+        is_any = one[i].has_end = two[j].has_end = true;
       }
+    for (auto* sides : {&one, &two})
+      for (Side& side : *sides) side.is_open = std::exchange(side.has_end, false);
     return is_any;
   };
   const Direction& ab = corners_.direction(a, start.b);

@@ -42,6 +42,8 @@ class HexahedronSearch {
   struct Side {
     Index vertex = 0;
     std::uint32_t at_first = 0, at_second = 0;
+    bool is_open = true;  ///< whether there was a g at each corner looked at
+    bool has_end = false;
   };
   using Ends = std::vector<std::span<const Corner>>;  ///< possible g for each pair of sides
 
