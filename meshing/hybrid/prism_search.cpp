@@ -19,7 +19,9 @@ void append_if_good(const TetGraph& graph, const std::array<Index, N>& cell, con
   std::transform(cell.begin(), cell.end(), corners.begin(),
                  [&graph](Index v) { return graph.points()[v]; });
   const double quality = quality::scaled_jacobian(corners);
-  if (!(quality > least) || verdict(corners).validity != quality::Validity::valid) return;
+  if (!quality::exceeds(corners, quality, least) ||
+      verdict(corners).validity != quality::Validity::valid)
+    return;
   found.cells.push_back({cell, quality, found.tetrahedra.size(), filling.inner, filling.flat});
   const auto all = filling.all();
   found.tetrahedra.insert(found.tetrahedra.end(), all.begin(), all.end());

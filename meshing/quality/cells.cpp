@@ -126,4 +126,21 @@ double scaled_jacobian(const PyramidCorners& p) {
   return least;
 }
 
+bool exceeds(const PrismCorners& p, double shape, double threshold) {
+  // The factor times three determinants of directions: an error below 2^-45 (edge.hpp).
+  constexpr double kError = 0x1p-44;
+  if (std::abs(shape - threshold) > kError) return shape > threshold;
+  return exact::corners_exceed(exact_points(p), threshold);
+}
+
+bool exceeds(const PyramidCorners& p, double shape, double threshold) {
+  // |x^(2/3) - y^(2/3)| <= |x - y|^(2/3), the determinant errs by less than 2^-46, and the divisor
+  // is at least 1, the longest edge being 1: |u|^2 + |v|^2 >= 2 |m|^2 with m = (u + v) / 2, and
+  // 2 |m|^2 + 2 |w - m|^2 >= |w|^2. So the error is below 3 (sqrt 2 2^-46)^(2/3) < 2^-28, which
+  // leaves room for some 2^-46 by the rounding of all else.
+  constexpr double kError = 0x1p-27;
+  if (std::abs(shape - threshold) > kError) return shape > threshold;
+  return exact::corners_exceed(exact_points(p), threshold);
+}
+
 }  // namespace hexatlas::quality

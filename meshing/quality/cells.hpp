@@ -50,4 +50,10 @@ using PyramidCorners = std::array<mesh::Point, 5>;
 [[nodiscard]] double scaled_jacobian(const PrismCorners& p);
 [[nodiscard]] double scaled_jacobian(const PyramidCorners& p);
 
+/// Whether the shape, computed as above, is in truth greater than the threshold: decided exactly,
+/// so that no rounding, and no numbering of the corners, has a say; what equals it is not greater.
+/// Requires 0 <= threshold <= 1.
+[[nodiscard]] bool exceeds(const PrismCorners& p, double shape, double threshold);
+[[nodiscard]] bool exceeds(const PyramidCorners& p, double shape, double threshold);
+
 }  // namespace hexatlas::quality

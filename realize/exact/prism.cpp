@@ -88,6 +88,65 @@ std::array<BaseCorner<Number>, 4> base_corners(const std::array<Vector3<Number>,
   return result;
 }
 
+/// threshold = mantissa / 2^shift.
+struct Threshold {
+  Integer mantissa;
+  unsigned long shift = 0;
+};
+
+Threshold threshold_parts(double threshold) {
+  core::expects(threshold >= 0 && threshold <= 1, "exact: a threshold in [0, 1]");
+  const BinaryParts parts = binary_parts(threshold);  // odd mantissa: no positive exponent
+  return {static_cast<long>(parts.mantissa), static_cast<unsigned long>(-parts.exponent)};
+}
+
+/// The squares of the sides of a triangle, in the symmetric functions that the derivation uses.
+struct TriangleSides {
+  Integer sum, pairs, product;
+
+  TriangleSides(const Vector3<Integer>& u, const Vector3<Integer>& v) {
+    const Vector3<Integer> t = difference(u, v);
+    const Integer a = dot(u, u);
+    const Integer b = dot(v, v);
+    const Integer c = dot(t, t);
+    sum = a + b + c;
+    pairs = a * b + b * c + c * a;
+    product = a * b * c;
+  }
+
+  /// Whether e L > R, as derived.
+  [[nodiscard]] bool roots_exceed(const Integer& r, const Integer& l) const {
+    const Integer ll = l * l;
+    const Integer above = r * r - pairs * ll;
+    return above < 0 || above * above < 4 * product * (sum * l + 2 * r) * l * ll;
+  }
+};
+
+/// The three corners of one of the triangles, with the edges u, v from its first corner.
+bool triangle_exceeds(const Vector3<Integer>& u, const Vector3<Integer>& v,
+                      const std::array<Vector3<Integer>, 3>& lateral, const Threshold& threshold) {
+  const TriangleSides sides(u, v);
+  const Vector3<Integer> normal = cross(u, v);
+  return std::all_of(lateral.begin(), lateral.end(), [&](const Vector3<Integer>& w) {
+    const Integer jacobian = dot(normal, w);
+    if (jacobian <= 0) return false;
+    const Integer squared = jacobian * jacobian << 2 * threshold.shift;
+    const Integer bound = 27 * threshold.mantissa * threshold.mantissa * sides.product * dot(w, w);
+    return sides.roots_exceed(bound - 4 * squared * sides.sum, 8 * squared);
+  });
+}
+
+bool corner_exceeds(const BaseCorner<Integer>& corner, const Threshold& threshold) {
+  const Integer volume = determinant(corner.next, corner.previous, corner.apex);
+  if (volume <= 0) return false;
+  const Vector3<Integer> z =
+      difference(difference(corner.apex, corner.next), difference(corner.previous, corner.apex));
+  const Integer squares =
+      2 * dot(corner.next, corner.next) + 2 * dot(corner.previous, corner.previous) + dot(z, z);
+  const Integer bound = threshold.mantissa * squares;
+  return Integer(432 * volume * volume << 3 * threshold.shift) > bound * bound * bound;
+}
+
 }  // namespace
 
 JacobianVerdict exact_jacobian_verdict(const Prism& corners) {
@@ -141,6 +200,23 @@ std::optional<JacobianVerdict> filtered_jacobian_verdict(const Pyramid& corners)
   const std::optional<Sign> sign = filter.sign(least, 1);
   if (!sign) return std::nullopt;
   return verdict(*sign == Sign::positive, true);
+}
+
+bool corners_exceed(const Prism& corners, double threshold) {
+  expect_finite(corners);
+  const Threshold parts = threshold_parts(threshold);
+  const auto p = prism_vectors(scaled_integers(corners));
+  return triangle_exceeds(p.a, p.b, p.lateral, parts) &&
+         triangle_exceeds(p.a_top, p.b_top, p.lateral, parts);
+}
+
+bool corners_exceed(const Pyramid& corners, double threshold) {
+  expect_finite(corners);
+  const Threshold parts = threshold_parts(threshold);
+  const auto base = base_corners(scaled_integers(corners));
+  return std::all_of(base.begin(), base.end(), [&](const BaseCorner<Integer>& corner) {
+    return corner_exceeds(corner, parts);
+  });
 }
 
 }  // namespace hexatlas::exact

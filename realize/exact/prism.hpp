@@ -28,6 +28,23 @@
 /// det(p_(i+1) - p_i, p_(i-1) - p_i, p_4 - p_i), six times the volume of a tetrahedron.
 /// The apex sees both triangulations of the base from the positive side.
 ///
+/// Shape of a prism at a corner: with the edges u, v of the triangle, its third edge t, the lateral
+/// edge w and J there, 2 / (3 sqrt 3) J (1/(|u| |v|) + 1/(|v| |t|) + 1/(|u| |t|)) / |w|.
+/// Derivation. Let A, B, C be the squares of |u|, |v|, |t|, and W that of |w|, T = A + B + C. For
+/// J > 0 the shape is above q exactly if 2 J (sqrt A + sqrt B + sqrt C) > 3 sqrt 3 q sqrt(A B C W),
+/// or squared,
+///   e > R / L,  e = sqrt(AB) + sqrt(BC) + sqrt(CA),  R = 27 q^2 A B C W - 4 J^2 T,  L = 8 J^2.
+/// With s = AB + BC + CA, e^2 = s + 2 sqrt(ABC) (sqrt A + sqrt B + sqrt C), and the square of the
+/// last sum is T + 2 e: e is a zero of F(x) = (x^2 - s)^2 - 4 ABC (T + 2 x), and above sqrt s. At
+/// sqrt s F is negative, and from there on convex: e is the only zero there. So, for x > -sqrt s,
+/// e > x exactly if x^2 < s or F(x) < 0, which is decided without a root. R / L >= -T / 2, and
+/// 4 s - T^2 is 16 times the square of the triangle's area (Heron).
+///
+/// Shape of a pyramid at a corner of the base with the edge w to the apex: with
+/// z = sqrt 2 (w - (u + v)/2) and D = det(u, v, z) = sqrt 2 K, 3 D^(2/3) / (|u|^2 + |v|^2 + |z|^2).
+/// Derivation. For K > 0 it is above q exactly if 432 K^2 > (q T)^3, where
+/// T = 2 |u|^2 + 2 |v|^2 + |2 w - u - v|^2.
+///
 /// Method. Double precision with the bound of realize/exact/determinant.hpp, else integers.
 /// Requires. Finite coordinates, else PreconditionViolated; rounding to nearest.
 
@@ -54,5 +71,11 @@ using Pyramid = std::array<Point3, 5>;
 /// with exact_jacobian_verdict. Not promised: that it decides any particular input.
 [[nodiscard]] std::optional<JacobianVerdict> filtered_jacobian_verdict(const Prism& corners);
 [[nodiscard]] std::optional<JacobianVerdict> filtered_jacobian_verdict(const Pyramid& corners);
+
+/// Whether J, or K, is positive and the shape greater than the threshold at each corner, of a
+/// pyramid at those of the base; by integers. Equality is not greater.
+/// Requires 0 <= threshold <= 1, at which nothing is greater. Cost: tens of microseconds.
+[[nodiscard]] bool corners_exceed(const Prism& corners, double threshold);
+[[nodiscard]] bool corners_exceed(const Pyramid& corners, double threshold);
 
 }  // namespace hexatlas::exact

@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <random>
+#include <set>
 
 #include "tests/meshing/hybrid/brute_force.hpp"
 
@@ -68,6 +70,31 @@ TEST(Candidates, ThresholdsAreExact) {
   EXPECT_EQ(count(1, 0.5), 171U);
   EXPECT_EQ(count(1, 0.4999999), 279U);
   EXPECT_EQ(count(1.0 / 3, 0.4999999), 279U);
+}
+
+/// At the qualities of prisms and pyramids in a lattice turned by a rational rotation: cells whose
+/// qualities differ by rounding only are all in or all out.
+TEST(Candidates, ThresholdsOfPrismsAndPyramidsAreExact) {
+  mesh::TetMesh mesh = kuhn(2, 1);
+  for (mesh::Point& p : mesh.points)
+    p = {-20 * p.x + 4 * p.y + 22 * p.z, 20 * p.x - 10 * p.y + 20 * p.z,
+         10 * p.x + 28 * p.y + 4 * p.z};
+  const hybrid::TetGraph graph = graph_of(mesh);
+  const Candidates all = hybrid::candidates(graph, 0);
+  const auto expect_steps = [&graph](const auto& list, auto member) {
+    std::set<double> qualities;
+    for (const auto& cell : list.cells) qualities.insert(cell.quality);
+    for (const double q : qualities) {
+      const auto near = [q](const auto& cell) { return std::abs(cell.quality - q) < 1e-9; };
+      const Candidates found = hybrid::candidates(graph, q);
+      const auto kept =
+          std::count_if((found.*member).cells.begin(), (found.*member).cells.end(), near);
+      const auto there = std::count_if(list.cells.begin(), list.cells.end(), near);
+      EXPECT_TRUE(kept == 0 || kept == there) << q;
+    }
+  };
+  expect_steps(all.prisms, &Candidates::prisms);
+  expect_steps(all.pyramids, &Candidates::pyramids);
 }
 
 TEST(Candidates, AreTheSameAtAnyScale) {

@@ -16,6 +16,8 @@
 #include <vector>
 
 #include "enum/core/errors.hpp"
+#include "meshing/quality/edge.hpp"
+#include "realize/exact/prism.hpp"
 
 namespace {
 
@@ -284,6 +286,44 @@ TEST(Cells, VerdictsOfKnownShapes) {
   // Turned by half a turn the corners are positive, and the Jacobian vanishes half way up.
   const PrismCorners twisted{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 1}, {0, -1, 1}}};
   expect(quality::verdict_of_prism(twisted), Validity::invalid, false, true);
+}
+
+/// At thresholds at all distances from the shape, of cells with heights of all sizes: the filter
+/// may decide only what the integers would.
+template <class Cell>
+void expect_exact_thresholds(const Cell& ideal, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  int exceeding = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double height = std::ldexp(1.0, -(trial % 40));
+    const Cell cell = mapped(moved(ideal, 0.2, random), [height](const Point& p) {
+      return Point{p.x, p.y, p.x + height * p.z};
+    });
+    const double shape = quality::scaled_jacobian(cell);
+    for (const int side : {-1, 1}) {
+      const double q = shape + side * std::ldexp(1.0, -20 - static_cast<int>(random() % 40));
+      if (!(q >= 0 && q <= 1)) continue;
+      const bool expected = exact::corners_exceed(quality::exact_points(cell), q);
+      ASSERT_EQ(quality::exceeds(cell, shape, q), expected) << trial;
+      exceeding += expected ? 1 : 0;
+    }
+  }
+  EXPECT_GT(exceeding, 300);
+}
+
+TEST(Cells, ThresholdsAreExact) {
+  expect_exact_thresholds(kPrism, 8);
+  expect_exact_thresholds(kPyramid, 9);
+  // In integers the shapes of these are 1: what rounding makes of them has no say.
+  const PrismCorners prism{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 1, 1}, {1, 2, 1}, {1, 1, 2}}};
+  const PyramidCorners pyramid{{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}};
+  const double below = std::nextafter(1, 0);
+  for (const double shape : {1 - 0x1p-46, 1.0}) {
+    EXPECT_TRUE(quality::exceeds(prism, shape, below));
+    EXPECT_FALSE(quality::exceeds(prism, shape, 1));
+    EXPECT_TRUE(quality::exceeds(pyramid, shape, below));
+    EXPECT_FALSE(quality::exceeds(pyramid, shape, 1));
+  }
 }
 
 TEST(Cells, RefuseWhatIsNotFinite) {
