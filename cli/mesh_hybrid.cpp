@@ -48,6 +48,16 @@ mesh::TetModel model_of(const MeshHybridOptions& options, HybridAccount& account
   return std::move(inside.model);
 }
 
+/// Of one phase; the line outlives it.
+hybrid::Progress shown_on(ProgressLine& line, const std::string& phase) {
+  return [&line, phase](std::size_t done, std::size_t all) { line.update(phase, done, all); };
+}
+
+hybrid::Candidates candidates_of(const hybrid::TetGraph& graph, double quality, int threads) {
+  ProgressLine line;
+  return hybrid::candidates(graph, quality, threads, shown_on(line, "vertices searched"));
+}
+
 /// How many candidates there are of each class of subdivisions, from 1 on as listed by
 /// `hexatlas enum triangulations hexahedron`.
 std::vector<std::size_t> class_counts(const hybrid::TetGraph& graph,
@@ -61,10 +71,13 @@ std::vector<std::size_t> class_counts(const hybrid::TetGraph& graph,
 
 void make_mesh(const MeshHybridOptions& options, const hybrid::TetGraph& graph,
                const hybrid::Candidates& candidates, HybridAccount& account) {
+  ProgressLine line;
   hybrid::SelectionOptions selection;
   selection.rounds = options.rounds;
+  selection.progress = shown_on(line, "candidates tried, of at most");
   const std::vector<hybrid::Cell> cells = hybrid::selection(graph, candidates, selection);
-  account.combined = options.conforming ? hybrid::conforming_mesh(graph, candidates, cells)
+  account.combined = options.conforming ? hybrid::conforming_mesh(graph, candidates, cells,
+                                                                  shown_on(line, "cells closed"))
                                         : hybrid::plain_mesh(graph, candidates, cells);
   account.report = quality::report(account.combined->mesh);
 }
@@ -88,7 +101,7 @@ ExitCode mesh_hybrid(const MeshHybridOptions& options) {
   const hybrid::TetGraph graph = graph_of(model, input_name(options.input));
   account.tetrahedra = graph.size();
   const double start = seconds();
-  const hybrid::Candidates candidates = hybrid::candidates(graph, options.quality, account.threads);
+  const hybrid::Candidates candidates = candidates_of(graph, options.quality, account.threads);
   account.search_seconds = seconds() - start;
   account.candidates = {candidates.hexahedra.cells.size(), candidates.prisms.cells.size(),
                         candidates.pyramids.cells.size()};

@@ -67,7 +67,7 @@ bool are_distinct(const MeshFiles& files, const char* input, const char* verb) {
     same = fmt::format("{} and --output", input);
   else if (has_report && is_same_file(files.input, files.report))
     same = fmt::format("{} and --report", input);
-  else if (has_report && is_same_output(files.output, files.report))
+  else if (has_report && !files.output.empty() && is_same_output(files.output, files.report))
     same = "--output and --report";
   if (!same.empty())
     say(fmt::format("{} are the same file. See `hexatlas {} --help`.", same, verb));

@@ -24,6 +24,7 @@
 #include <span>
 #include <vector>
 
+#include "meshing/hybrid/progress.hpp"
 #include "meshing/hybrid/tet_graph.hpp"
 
 namespace hexatlas::hybrid {
@@ -59,7 +60,8 @@ struct Candidates {
   std::size_t undecided = 0;
 };
 
-/// Requires 0 <= quality < 1, threads >= 1.
-[[nodiscard]] Candidates candidates(const TetGraph& graph, double quality, int threads = 1);
+/// Requires 0 <= quality < 1, threads >= 1. Progress is by vertices.
+[[nodiscard]] Candidates candidates(const TetGraph& graph, double quality, int threads = 1,
+                                    const Progress& progress = {});
 
 }  // namespace hexatlas::hybrid

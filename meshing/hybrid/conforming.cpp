@@ -34,11 +34,14 @@ class Attempt {
   }
 
   /// Closes all quads that can be closed.
-  void close_quads() {
-    for (std::uint32_t c = 0; c < cells_.size(); ++c)
+  void close_quads(const Progress& progress) {
+    constexpr std::uint32_t kSeldom = 1024;
+    for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+      if (progress && c % kSeldom == 0) progress(c, cells_.size());
       for_each_open_quad(c, [&](const Quad& quad, const std::array<Side, 2>& outer) {
         if (is_given_up_[c] == 0) close(c, quad, outer);
       });
+    }
   }
 
   [[nodiscard]] std::size_t count_open_quads() const {
@@ -336,11 +339,11 @@ class Attempt {
 }  // namespace
 
 Combined conforming_mesh(const TetGraph& graph, const Candidates& candidates,
-                         std::span<const Cell> cells) {
+                         std::span<const Cell> cells, const Progress& progress) {
   std::vector<Cell> kept(cells.begin(), cells.end());
   for (;;) {
     Attempt attempt(graph, candidates, kept);
-    attempt.close_quads();
+    attempt.close_quads(progress);
     std::vector<Cell> left = attempt.left();
     if (left.size() == kept.size()) {
       Combined result = attempt.take();

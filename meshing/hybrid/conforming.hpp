@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "meshing/hybrid/candidates.hpp"
+#include "meshing/hybrid/progress.hpp"
 #include "meshing/hybrid/selection.hpp"
 #include "meshing/hybrid/tet_graph.hpp"
 #include "meshing/mesh/mesh.hpp"
@@ -35,9 +36,9 @@ struct Combined {
   std::size_t quads_on_triangles = 0;  ///< without conforming: quads that meet two triangles
 };
 
-/// Requires: cells as selection() makes them.
+/// Requires: cells as selection() makes them. Progress is by cells, anew after some are given up.
 [[nodiscard]] Combined conforming_mesh(const TetGraph& graph, const Candidates& candidates,
-                                       std::span<const Cell> cells);
+                                       std::span<const Cell> cells, const Progress& progress = {});
 
 /// The cells, and the tetrahedra of none of them, as they are.
 [[nodiscard]] Combined plain_mesh(const TetGraph& graph, const Candidates& candidates,

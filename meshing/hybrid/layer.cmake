@@ -1,6 +1,6 @@
 hexatlas_layer(meshing/hybrid
-  HEADERS candidates.hpp classes.hpp conforming.hpp filling.hpp lattice.hpp quads.hpp selection.hpp
-    tet_graph.hpp
+  HEADERS candidates.hpp classes.hpp conforming.hpp filling.hpp lattice.hpp progress.hpp quads.hpp
+    selection.hpp tet_graph.hpp
   SOURCES around.cpp around.hpp blocks.hpp candidates.cpp changing_tets.cpp changing_tets.hpp
     classes.cpp conforming.cpp corners.cpp corners.hpp filling.cpp glued_tets.cpp
     glued_tets.hpp hexahedron_search.cpp

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "enum/core/checks.hpp"
 #include "meshing/hybrid/occupancy.hpp"
@@ -18,8 +19,11 @@ double volume(const TetGraph& graph, TetIndex t) {
 
 class Selector {
  public:
-  Selector(const TetGraph& graph, const Candidates& candidates, const SelectionOptions& options)
-      : graph_(graph), candidates_(candidates), options_(options), occupancy_(graph.size()) {
+  Selector(const TetGraph& graph, const Candidates& candidates, SelectionOptions options)
+      : graph_(graph),
+        candidates_(candidates),
+        options_(std::move(options)),
+        occupancy_(graph.size()) {
     list_cells();
     sort_by_weight();
     sort_by_quality();
@@ -30,7 +34,7 @@ class Selector {
     for (const std::uint32_t name : by_quality_)
       if (const CellView cell = view(name); occupancy_.fits(cell)) put(name);
     for (int round = 0; round < options_.rounds; ++round)
-      if (!exchange()) break;
+      if (!exchange(static_cast<std::size_t>(round))) break;
     // An exchange frees edges and diagonals also where it does not look.
     for (const std::uint32_t name : by_quality_)
       if (is_in_[name] == 0 && occupancy_.fits(view(name))) put(name);
@@ -190,12 +194,20 @@ class Selector {
     return false;
   }
 
+  void report(std::size_t tried) const {
+    constexpr std::size_t kSeldom = 1024;
+    if (options_.progress && tried % kSeldom == 0)
+      options_.progress(tried, cells_.size() * static_cast<std::size_t>(options_.rounds));
+  }
+
   /// One round; false if nothing was gained.
-  bool exchange() {
+  bool exchange(std::size_t round) {
+    std::size_t tried = round * cells_.size();
     // Of many candidates only those are tried that promise more.
     const double share = cells_.size() < kFew ? 0 : kShare;
     bool is_better = false;
     for (const std::uint32_t name : by_quality_) {
+      report(tried++);
       if (is_in_[name] != 0) {
         is_better = try_exchange({name}, Occupancy::kFree) || is_better;
         continue;

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "meshing/hybrid/candidates.hpp"
+#include "meshing/hybrid/progress.hpp"
 #include "meshing/hybrid/tet_graph.hpp"
 
 namespace hexatlas::hybrid {
@@ -39,6 +40,7 @@ struct Cell {
 struct SelectionOptions {
   std::array<double, kShapes> factor{1, 0.5, 0.25};  ///< of a volume, by shape; 0: none of them
   int rounds = 2;                                    ///< of exchange; 0: greedy only
+  Progress progress{};  ///< by candidates tried in exchange, of all in all rounds; may end early
 };
 
 /// The chosen cells, ascending; pairwise compatible, and none can be added.

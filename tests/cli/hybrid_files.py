@@ -1,5 +1,6 @@
 """A mesh of one cell of each shape: a cube, on it a prism as a roof, beside it a pyramid, and on one facet
-of this a tetrahedron; and writers of such meshes in each format."""
+of this a tetrahedron; lattices of cubes cut into tetrahedra; and writers of such meshes in each format."""
+import itertools
 
 POINTS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1),
           (0, 0.5, 1.5), (1, 0.5, 1.5), (2, 0.5, 0.5), (2, -1, 0.5)]
@@ -14,6 +15,24 @@ GIVEN = [(0, 1, 2, 6), (0, 2, 3, 6), (0, 3, 7, 6), (0, 7, 4, 6), (0, 4, 5, 6), (
 VTK = {4: 10, 8: 12, 6: 13, 5: 14}
 GMSH = {4: 4, 8: 5, 6: 6, 5: 7}
 MEDIT = {4: "Tetrahedra", 8: "Hexahedra", 6: "Prisms", 5: "Pyramids"}
+
+
+def kuhn(n):
+    """The unit cube as n^3 cubes, each cut into six tetrahedra around its diagonal."""
+    points = [(i / n, j / n, k / n) for i in range(n + 1) for j in range(n + 1) for k in range(n + 1)]
+    number = {p: i for i, p in enumerate(itertools.product(range(n + 1), repeat=3))}
+    cells = []
+    for cube in itertools.product(range(n), repeat=3):
+        for axes in itertools.permutations(range(3)):
+            at = list(cube)
+            cell = [number[tuple(at)]]
+            for axis in axes:
+                at[axis] += 1
+                cell.append(number[tuple(at)])
+            if sum(a > b for a, b in itertools.combinations(axes, 2)) % 2:
+                cell[2], cell[3] = cell[3], cell[2]
+            cells.append(cell)
+    return points, cells
 
 
 def in_vtk_order(cell):

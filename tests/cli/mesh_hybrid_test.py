@@ -7,29 +7,14 @@ Oracle. `check --hybrid --boundary`; the published counts.
 import itertools
 import json
 import os
+import pty
 import random
 
 import program
+from hybrid_files import kuhn
 
 CHANCE = random.Random(20261122)
 TIMES = ("seconds", "search_seconds", "threads")
-
-
-def kuhn(n):
-    points = [(i / n, j / n, k / n) for i in range(n + 1) for j in range(n + 1) for k in range(n + 1)]
-    number = {p: i for i, p in enumerate(itertools.product(range(n + 1), repeat=3))}
-    cells = []
-    for cube in itertools.product(range(n), repeat=3):
-        for axes in itertools.permutations(range(3)):
-            at = list(cube)
-            cell = [number[tuple(at)]]
-            for axis in axes:
-                at[axis] += 1
-                cell.append(number[tuple(at)])
-            if sum(a > b for a, b in itertools.combinations(axes, 2)) % 2:
-                cell[2], cell[3] = cell[3], cell[2]
-            cells.append(cell)
-    return points, cells
 
 
 def medit(points, cells, regions=None):
@@ -72,6 +57,26 @@ class MeshHybridTest(program.ProgramTest):
                          {"hexahedra": 27, "prisms": 0, "pyramids": 0, "tetrahedra": 0})
         self.assertEqual(made["volume_fraction"]["hexahedra"], 1)
         self.succeeds("check", "cubes.vtu")
+
+    def test_candidates_without_a_mesh(self):
+        self.counts(self.lattice(1), "--candidates", "list.txt")
+        self.assertEqual(self.read("list.txt").split(b"\n")[0], b"candidates 1 0.1 1 6 6")
+
+    def test_progress_is_for_terminals(self):
+        tetrahedra = self.random_mesh()
+        self.assertEqual(self.succeeds("mesh", "hybrid", tetrahedra, "-o", "silent.vtu").err, "")
+        try:
+            terminal, line = pty.openpty()
+        except OSError as error:
+            self.skipTest(f"no pseudo-terminal here: {error}")
+        self.expect(0, self.hexatlas("mesh", "hybrid", tetrahedra, "-o", "watched.vtu", stderr=line))
+        os.close(line)
+        shown = os.read(terminal, 65536).decode()
+        os.close(terminal)
+        for phase in ("vertices searched", "candidates tried, of at most", "cells closed"):
+            self.assertRegex(shown, phase + ": [0-9]+ of [0-9]+, ")
+        self.assertTrue(shown.endswith("\r\x1b[K"), shown)
+        self.assertEqual(self.read("watched.vtu"), self.read("silent.vtu"))
 
     def test_each_format_is_accepted(self):
         tetrahedra = self.random_mesh()

@@ -216,6 +216,29 @@ TEST(Selection, IsNearTheGreatestWeightOnSmallMeshes) {
   EXPECT_GT(found, 0.9 * greatest);
 }
 
+/// What is done grows, within each pass over the cells, and has no say in the result.
+TEST(Conforming, TellsHowFarItIs) {
+  std::mt19937_64 random(13);
+  const Setting s = setting(hybrid_tests::random_delaunay(200, 1U << 16U, random), 0.1);
+  std::vector<std::size_t> told;
+  const auto tell = [&told](std::size_t done, std::size_t all) {
+    EXPECT_LE(done, all);
+    told.push_back(done);
+  };
+  hybrid::SelectionOptions options;
+  options.progress = tell;
+  const auto cells = hybrid::selection(s.graph, s.candidates, options);
+  EXPECT_EQ(cells, hybrid::selection(s.graph, s.candidates));
+  EXPECT_GT(told.size(), 3U);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  told.clear();
+  const auto watched = hybrid::conforming_mesh(s.graph, s.candidates, cells, tell);
+  const auto unwatched = hybrid::conforming_mesh(s.graph, s.candidates, cells);
+  EXPECT_EQ(watched.mesh.tetrahedra, unwatched.mesh.tetrahedra);
+  EXPECT_EQ(watched.mesh.points, unwatched.mesh.points);
+  EXPECT_GT(std::count(told.begin(), told.end(), 0U), 1);
+}
+
 TEST(Conforming, MeshesOfRandomPointsAreAccepted) {
   std::mt19937_64 random(9);
   for (const std::size_t points : {20U, 100U, 400U}) {
