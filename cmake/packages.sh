@@ -14,7 +14,7 @@ build_packages=(
 test_packages=(
   libgtest-dev librapidcheck-dev libbenchmark-dev libcgal-dev libmpfr-dev python3
   clang libclang-rt-14-dev libomp-14-dev clang-tidy
-  gmsh python3-vtk9 git chromium
+  gmsh python3-vtk9 git chromium coinor-cbc
 )
 
 die() {

@@ -12,7 +12,9 @@
 /// is taken out and what fits into its place is put in, or a cell is put in and those that it
 /// conflicts with are taken out, as long as the weight grows. Weight is volume times a factor for
 /// the shape. To choose the greatest weight is NP-hard (Meshkat, Talmor, IJNME 2000): no
-/// optimum is promised.
+/// optimum is promised. On Delaunay meshes of 10, 15, 20, 25, 30 random points the weight is in the
+/// mean 1.00, 0.99, 0.96, 0.94, 0.94 of the greatest, at least 0.80; on lattices it is the greatest
+/// (tests/cli/mesh_hybrid_optimum_test.py).
 ///
 /// Deterministic. Cost: n log n in the candidates for the greedy part.
 
