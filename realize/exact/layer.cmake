@@ -1,11 +1,11 @@
 hexatlas_layer(realize/exact
-  HEADERS sign.hpp orientation.hpp in_sphere.hpp integer_orientation.hpp jacobian.hpp prism.hpp volume.hpp
+  HEADERS sign.hpp orientation.hpp in_sphere.hpp in_orthosphere.hpp integer_orientation.hpp jacobian.hpp prism.hpp volume.hpp
     patch.hpp patch_separation.hpp memory.hpp
-  SOURCES orientation.cpp in_sphere.cpp integer_orientation.cpp jacobian.cpp prism.cpp
+  SOURCES orientation.cpp in_sphere.cpp in_orthosphere.cpp integer_orientation.cpp jacobian.cpp prism.cpp
     volume.cpp patch.cpp patch_separation.cpp memory.cpp
     jacobian_coefficients.hpp jacobian_subdivision.cpp
     jacobian_lanes.hpp jacobian_lanes_avx2.cpp jacobian_lanes_body.hpp jacobian_lanes_plain.cpp
-    determinant.hpp binary.hpp limbs.hpp limb_points.hpp integers.hpp
+    determinant.hpp sphere_expansion.hpp binary.hpp limbs.hpp limb_points.hpp integers.hpp
   USES enum/core
   THIRD_PARTY PkgConfig::gmp)
 # Vectors of four doubles; never an argument of a function that is not inlined.

@@ -75,8 +75,10 @@ template <std::size_t kCount>
 template <std::size_t kCount>
 class TakenApart {
  public:
-  /// Requires. Finite coordinates; not checked.
-  explicit TakenApart(const std::array<Point3, kCount>& points) noexcept {
+  /// The exponent of the unit is at most that given. Requires. Finite coordinates; not checked.
+  explicit TakenApart(const std::array<Point3, kCount>& points,
+                      int greatest_unit = std::numeric_limits<int>::max()) noexcept
+      : unit_(greatest_unit) {
     std::array<Point3, kCount> differences{};
     for (std::size_t i = 0; i < kCount; ++i) {
       const Point3& p = points[i];
@@ -87,6 +89,10 @@ class TakenApart {
     }
     top_ = exponent_above(differences);  // bounds the real ones too, since rounding is monotone
   }
+
+  /// The exponent of a power of two of which all coordinates are multiples, of the greatest one if
+  /// the limit allows.
+  [[nodiscard]] int unit() const noexcept { return unit_; }
 
   /// nullopt if the result does not fit. Coordinates that do not fit by themselves wrap around.
   template <std::size_t kLimbs>
@@ -117,7 +123,7 @@ class TakenApart {
   }
 
   std::array<std::array<BinaryParts, 3>, kCount> parts_{};
-  int unit_ = std::numeric_limits<int>::max();
+  int unit_;
   int top_ = 0;
 };
 

@@ -39,8 +39,10 @@ inline int sign_of_determinant(Rows rows) {
   return sign * sgn(before);
 }
 
-/// Rows (1, p, |p|^2) times powers of their common denominator.
-inline Rows rows_of(const Tuple& points) {
+using Weights = std::array<double, 5>;
+
+/// Rows (1, p, |p|^2 - weight) times powers of a common denominator.
+inline Rows rows_of(const Tuple& points, const Weights& weights = {}) {
   std::array<std::array<mpq_class, 3>, 5> real;
   mpz_class denominator = 1;
   for (std::size_t i = 0; i < 5; ++i) {
@@ -48,10 +50,14 @@ inline Rows rows_of(const Tuple& points) {
     for (const mpq_class& c : real[i])
       if (c.get_den() > denominator) denominator = c.get_den();
   }
+  // Denominators are powers of two.
+  for (const double w : weights)
+    while (denominator * denominator < mpq_class(w).get_den()) denominator *= 2;
   Rows rows;
   for (std::size_t i = 0; i < 5; ++i) {
+    const mpq_class weight = mpq_class(weights[i]) * denominator * denominator;
     rows[i][0] = 1;
-    rows[i][4] = 0;
+    rows[i][4] = -weight.get_num();
     for (std::size_t k = 0; k < 3; ++k) {
       rows[i][k + 1] = real[i][k].get_num() * (denominator / real[i][k].get_den());
       rows[i][4] += rows[i][k + 1] * rows[i][k + 1];
@@ -61,12 +67,14 @@ inline Rows rows_of(const Tuple& points) {
 }
 
 /// Positive if e is inside and a, b, c, d have positive orientation: opposite to the determinant.
-inline int in_sphere(const Tuple& points) { return -sign_of_determinant(rows_of(points)); }
+inline int in_sphere(const Tuple& points, const Weights& weights = {}) {
+  return -sign_of_determinant(rows_of(points, weights));
+}
 
 /// With real numbers instead of infinitesimals: the point of rank r is raised by 2^(256 (r - 6)).
 /// Requires. Orientations below 2^255 in units of the last common bit.
-inline int perturbed_in_sphere(const Tuple& points) {
-  Rows rows = rows_of(points);
+inline int perturbed_in_sphere(const Tuple& points, const Weights& weights = {}) {
+  Rows rows = rows_of(points, weights);
   for (std::size_t i = 0; i < 5; ++i) {
     const auto place = [&](std::size_t j) {
       return std::tie(points[j].x, points[j].y, points[j].z);
