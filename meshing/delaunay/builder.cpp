@@ -1,6 +1,7 @@
 #include "meshing/delaunay/builder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
@@ -31,24 +32,30 @@ bool are_collinear(const Point3& a, const Point3& b, const Point3& c) {
              Sign::zero;
 }
 
-/// The points that are at the place of another that counts. For those that span no space.
-std::size_t count_equal(std::span<const mesh::Point> points) {
-  std::vector<mesh::Point> sorted(points.begin(), points.end());
-  std::sort(sorted.begin(), sorted.end(), [](const mesh::Point& p, const mesh::Point& q) {
-    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
-  });
+/// The points that are at the place of another that counts, with the same weight if there are
+/// weights. For those that span no space.
+std::size_t count_equal(std::span<const mesh::Point> points, std::span<const double> weights) {
+  std::vector<std::tuple<double, double, double, double>> sorted;
+  sorted.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    sorted.emplace_back(points[i].x, points[i].y, points[i].z, weights.empty() ? 0.0 : weights[i]);
+  std::sort(sorted.begin(), sorted.end());
   return static_cast<std::size_t>(sorted.end() - std::unique(sorted.begin(), sorted.end()));
 }
 
 }  // namespace
 
-template <class Index>
-Builder<Index>::Builder(std::span<const mesh::Point> points, std::uint64_t seed, int threads) {
+template <class Index, bool kIsWeighted>
+Builder<Index, kIsWeighted>::Builder(std::span<const mesh::Point> points,
+                                     std::span<const double> weights, std::uint64_t seed,
+                                     int threads) {
   core::expects(threads >= 1, "at least one thread");
+  core::expects(weights.size() == (kIsWeighted ? points.size() : 0), "a weight for each point");
   const std::size_t sites = points.size() + kFirstSite;
   sites_.resize(sites);
   points_.resize(sites);
   claims_.resize(sites);
+  if constexpr (kIsWeighted) weights_.resize(sites);
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   sites_[kNone] = sites_[kGhost] = {kNowhere, kNowhere, kNowhere, 0};
   const SpaceOrder order = space_order(points, seed, threads);
@@ -61,19 +68,20 @@ Builder<Index>::Builder(std::span<const mesh::Point> points, std::uint64_t seed,
       sites_[i + kFirstSite] = {p.x, p.y, p.z, placed.key};
       unit.include(sites_[i + kFirstSite]);
       points_[i + kFirstSite] = placed.point;
+      if constexpr (kIsWeighted) weights_[i + kFirstSite] = weights[placed.point];
     }
     units[part] = unit;
   });
   for (const CommonUnit& unit : units) unit_.include(unit);
   const Site centre = mean_of_some();
   for (int t = 0; t < threads; ++t) {
-    inserters_.emplace_back(cells_, sites_.data(), claims_.data());
-    inserters_.back().look_from(centre);
+    inserters_.emplace_back(cells_, sites_.data(), claims_.data(), weights_.data());
+    inserters_.back().walk().look_from(centre);
     inserters_.back().use(unit_);
   }
   std::array<Index, 4> first{};
   if (!find_first_four(first)) {
-    duplicates_ = count_equal(points);
+    duplicates_ = count_equal(points, weights);
     return;
   }
   cells_.reserve(kCellsPerPoint * sites);
@@ -82,8 +90,8 @@ Builder<Index>::Builder(std::span<const mesh::Point> points, std::uint64_t seed,
 }
 
 /// Inside of the hull.
-template <class Index>
-Site Builder<Index>::mean_of_some() const noexcept {
+template <class Index, bool kIsWeighted>
+Site Builder<Index, kIsWeighted>::mean_of_some() const noexcept {
   constexpr std::size_t kSome = 64;
   Site mean{};
   for (std::size_t i = 0; i < kSome && points() > 0; ++i) {
@@ -96,8 +104,8 @@ Site Builder<Index>::mean_of_some() const noexcept {
 }
 
 /// Sets the dimension.
-template <class Index>
-bool Builder<Index>::find_first_four(std::array<Index, 4>& first) {
+template <class Index, bool kIsWeighted>
+bool Builder<Index, kIsWeighted>::find_first_four(std::array<Index, 4>& first) {
   const auto at = [&](Index s) { return sites_[s].point(); };
   const auto end = static_cast<Index>(points_.size());
   std::size_t found = 0;
@@ -117,9 +125,9 @@ bool Builder<Index>::find_first_four(std::array<Index, 4>& first) {
   return true;
 }
 
-template <class Index>
-void Builder<Index>::insert_rounds(std::span<const std::size_t> rounds,
-                                   const std::array<Index, 4>& first) {
+template <class Index, bool kIsWeighted>
+void Builder<Index, kIsWeighted>::insert_rounds(std::span<const std::size_t> rounds,
+                                                const std::array<Index, 4>& first) {
   for (std::size_t r = 0; r + 1 < rounds.size(); ++r) {
     std::vector<Index> sites;
     sites.reserve(rounds[r + 1] - rounds[r]);
@@ -134,15 +142,15 @@ void Builder<Index>::insert_rounds(std::span<const std::size_t> rounds,
   }
 }
 
-template <class Index>
-void Builder<Index>::insert_here(std::span<const Index> sites) {
+template <class Index, bool kIsWeighted>
+void Builder<Index, kIsWeighted>::insert_here(std::span<const Index> sites) {
   for (const Index s : sites)
     if (inserter().insert(s) == Outcome::duplicate) note_duplicate(s, inserter().twin());
 }
 
 /// Ends: a pass that inserts less than half of its sites is the last.
-template <class Index>
-void Builder<Index>::insert_in_parts(std::vector<Index> pending) {
+template <class Index, bool kIsWeighted>
+void Builder<Index, kIsWeighted>::insert_in_parts(std::vector<Index> pending) {
   bool is_shifted = false, is_worth_it = true;
   while (is_worth_it && pending.size() >= kFewPerThread * inserters_.size()) {
     cells_.reserve(cells_.size() + kCellsPerPoint * pending.size() +
@@ -160,8 +168,9 @@ void Builder<Index>::insert_in_parts(std::vector<Index> pending) {
 
 /// The curve, thought of as closed, is cut where the pending sites are as many in each part; if
 /// shifted, in the middle between these cuts. Requires sites by ascending keys.
-template <class Index>
-std::vector<Region> Builder<Index>::regions(std::span<const Index> pending, bool is_shifted) const {
+template <class Index, bool kIsWeighted>
+std::vector<Region> Builder<Index, kIsWeighted>::regions(std::span<const Index> pending,
+                                                         bool is_shifted) const {
   const std::size_t parts = inserters_.size();
   const auto cut = [&](std::size_t i) {
     return sites_[pending[(2 * i + (is_shifted ? 1 : 0)) * pending.size() / (2 * parts)]].key;
@@ -173,9 +182,9 @@ std::vector<Region> Builder<Index>::regions(std::span<const Index> pending, bool
 }
 
 /// The sites that were not inserted.
-template <class Index>
-std::vector<Index> Builder<Index>::inserted_in_parts(std::span<const Index> pending,
-                                                     bool is_shifted) {
+template <class Index, bool kIsWeighted>
+std::vector<Index> Builder<Index, kIsWeighted>::inserted_in_parts(std::span<const Index> pending,
+                                                                  bool is_shifted) {
   struct Part {
     std::vector<Index> sites, left;
     std::vector<std::pair<Index, Index>> duplicates;
@@ -188,13 +197,13 @@ std::vector<Index> Builder<Index>::inserted_in_parts(std::span<const Index> pend
     while (!all_regions[t].has(sites_[s])) ++t;
     parts[t].sites.push_back(s);
   }
-  Index in_use = inserter().start();
+  Index in_use = inserter().walk().start();
   std::vector<Index> starts;
   for (std::size_t t = 0; t < parts.size(); ++t)
     starts.push_back(start_in(all_regions[t], parts[t].sites));
   for (std::size_t t = 0; t < parts.size(); ++t) {
-    inserters_[t].start_at(starts[t]);
-    inserters_[t].confine_to(all_regions[t]);
+    inserters_[t].walk().start_at(starts[t]);
+    inserters_[t].walk().confine_to(all_regions[t]);
   }
   parallel::parallel_for(static_cast<int>(parts.size()), parts.size(), [&](std::size_t t) {
     Part& part = parts[t];
@@ -208,28 +217,28 @@ std::vector<Index> Builder<Index>::inserted_in_parts(std::span<const Index> pend
         part.has_changed = true;
       else if (outcome == Outcome::duplicate)
         part.duplicates.emplace_back(s, inserters_[t].twin());
-      else
+      else if (outcome != Outcome::hidden)
         part.left.push_back(s);
     }
   });
   std::vector<Index> left;
   for (std::size_t t = 0; t < parts.size(); ++t) {
-    inserters_[t].release();
-    if (parts[t].has_changed) in_use = inserters_[t].start();
+    inserters_[t].walk().release();
+    if (parts[t].has_changed) in_use = inserters_[t].walk().start();
     left.insert(left.end(), parts[t].left.begin(), parts[t].left.end());
     for (const auto& [site, twin] : parts[t].duplicates) note_duplicate(site, twin);
   }
-  inserter().start_at(in_use);
+  inserter().walk().start_at(in_use);
   return left;
 }
 
 /// A cell within the region, near some of its sites, or kNone. No facet of the hull: a walk begins
 /// in the tetrahedron below, of which a vertex may lie outside.
-template <class Index>
-Index Builder<Index>::start_in(const Region& region, std::span<const Index> sites) {
+template <class Index, bool kIsWeighted>
+Index Builder<Index, kIsWeighted>::start_in(const Region& region, std::span<const Index> sites) {
   constexpr std::size_t kTries = 8;
   for (std::size_t i = 0; i < kTries && !sites.empty(); ++i) {
-    Index cell = inserter().located(sites_[sites[i * sites.size() / kTries]]);
+    Index cell = inserter().walk().located(sites_[sites[i * sites.size() / kTries]]);
     if (const unsigned ghost = cells_[cell].ghost(); ghost < 4)
       cell = cells_[cell].neighbors[ghost] / 4;
     const auto& vertices = cells_[cell].vertices;
@@ -240,34 +249,75 @@ Index Builder<Index>::start_in(const Region& region, std::span<const Index> site
   return kNone;
 }
 
-template <class Index>
-Index Builder<Index>::add(const mesh::Point& point) {
+template <class Index, bool kIsWeighted>
+typename Builder<Index, kIsWeighted>::Added Builder<Index, kIsWeighted>::add(
+    const mesh::Point& point, double weight) {
   core::expects(dimension_ == 3, "the points so far span space");
   core::expects(mesh::is_finite(point), "finite coordinates");
+  core::expects(kIsWeighted ? std::isfinite(weight) : weight == 0, "a finite weight, if any");
   const std::size_t site = points_.size();
   if (site == sites_.capacity()) sites_.resize(site + site / 4 + 1);
   sites_[site] = {point.x, point.y, point.z, 0};
   points_.push_back(static_cast<mesh::Index>(site - kFirstSite));
   claims_.push_back({});
+  if constexpr (kIsWeighted) weights_.push_back(weight);
   sites_of_points_.clear();
-  inserter().use(sites_.data(), claims_.data());
+  inserter().use(sites_.data(), claims_.data(), weights_.data());
   unit_.include(sites_[site]);
   inserter().use(unit_);
   const auto added = static_cast<Index>(site);
-  if (inserter().insert(added) == Outcome::inserted) return added;
-  note_duplicate(added, inserter().twin());
-  return inserter().twin();
+  const Outcome outcome = inserter().insert(added);
+  if (outcome == Outcome::duplicate) {
+    note_duplicate(added, inserter().twin());
+    return {outcome, inserter().twin()};
+  }
+  return {outcome, outcome == Outcome::hidden ? Index{kNone} : added};
 }
 
 /// The vertex is called by the least number of the points at its place, whichever came first.
-template <class Index>
-void Builder<Index>::note_duplicate(Index site, Index twin) noexcept {
-  ++duplicates_;
+template <class Index, bool kIsWeighted>
+void Builder<Index, kIsWeighted>::note_duplicate(Index site, Index twin) {
+  if constexpr (kIsWeighted)
+    twins_.emplace_back(site, twin);
+  else
+    ++duplicates_;
   if (points_[site] < points_[twin]) std::swap(points_[site], points_[twin]);
 }
 
-template <class Index>
-Index Builder<Index>::site_of(mesh::Index point) {
+/// By sites.
+template <class Index, bool kIsWeighted>
+std::vector<bool> Builder<Index, kIsWeighted>::vertices() const {
+  std::vector<bool> result(points_.size());
+  for (std::size_t c = 1; c < cells_.size(); ++c)
+    if (const auto& cell = cells_[static_cast<Index>(c)]; cell.is_used())
+      for (const Index v : cell.vertices) result[v] = true;
+  return result;
+}
+
+/// A vertex may have been hidden since it was met again.
+template <class Index, bool kIsWeighted>
+std::size_t Builder<Index, kIsWeighted>::duplicates() const {
+  if (!kIsWeighted || dimension_ < 3) return duplicates_;
+  const std::vector<bool> is_vertex = vertices();
+  return static_cast<std::size_t>(std::count_if(
+      twins_.begin(), twins_.end(), [&](const auto& twins) { return is_vertex[twins.second]; }));
+}
+
+template <class Index, bool kIsWeighted>
+std::vector<mesh::Index> Builder<Index, kIsWeighted>::hidden() const {
+  std::vector<mesh::Index> result;
+  if (!kIsWeighted) return result;
+  const std::vector<bool> is_vertex = vertices();
+  std::vector<bool> is_seen = is_vertex;
+  for (const auto& [site, twin] : twins_) is_seen[site] = is_vertex[twin];
+  for (std::size_t s = kFirstSite; s < points_.size(); ++s)
+    if (!is_seen[s]) result.push_back(points_[s]);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+template <class Index, bool kIsWeighted>
+Index Builder<Index, kIsWeighted>::site_of(mesh::Index point) {
   if (sites_of_points_.empty()) {
     sites_of_points_.resize(points());
     for (std::size_t s = kFirstSite; s < points_.size(); ++s)
@@ -276,8 +326,8 @@ Index Builder<Index>::site_of(mesh::Index point) {
   return sites_of_points_[point];
 }
 
-template <class Index>
-std::size_t Builder<Index>::refine(const Wish& wish, std::size_t most) {
+template <class Index, bool kIsWeighted>
+std::size_t Builder<Index, kIsWeighted>::refine(const Wish& wish, std::size_t most) {
   const auto wish_for = [&](Index c) -> std::optional<mesh::Point> {
     const Cell<Index>& cell = cells_[c];
     if (!cell.is_tetrahedron()) return std::nullopt;
@@ -296,10 +346,8 @@ std::size_t Builder<Index>::refine(const Wish& wish, std::size_t most) {
     waiting.pop_back();
     const std::optional<mesh::Point> place = wish_for(cell);
     if (!place) continue;
-    inserter().start_at(cell);
-    const std::size_t before = duplicates_;
-    add(*place);
-    if (duplicates_ > before) continue;
+    inserter().walk().start_at(cell);
+    if (add(*place, 0).outcome != Outcome::inserted) continue;
     ++inserted;
     const auto made = inserter().made();
     waiting.insert(waiting.end(), made.begin(), made.end());
@@ -307,13 +355,16 @@ std::size_t Builder<Index>::refine(const Wish& wish, std::size_t most) {
   return inserted;
 }
 
-template <class Index>
-std::size_t Builder<Index>::bytes() const noexcept {
+template <class Index, bool kIsWeighted>
+std::size_t Builder<Index, kIsWeighted>::bytes() const noexcept {
   return cells_.bytes() +
-         points_.size() * (sizeof(Site) + sizeof(mesh::Index) + sizeof(claims_.front()));
+         points_.size() * (sizeof(Site) + sizeof(mesh::Index) + sizeof(claims_.front())) +
+         weights_.size() * sizeof(double);
 }
 
-template class Builder<std::uint32_t>;
-template class Builder<std::uint64_t>;
+template class Builder<std::uint32_t, false>;
+template class Builder<std::uint64_t, false>;
+template class Builder<std::uint32_t, true>;
+template class Builder<std::uint64_t, true>;
 
 }  // namespace hexatlas::delaunay

@@ -25,27 +25,36 @@
 
 namespace hexatlas::delaunay {
 
-template <class Index>
+template <class Index, bool kIsWeighted>
 class Builder {
  public:
-  /// Requires finite coordinates, threads >= 1.
-  Builder(std::span<const mesh::Point> points, std::uint64_t seed, int threads);
+  /// Requires finite coordinates and weights, threads >= 1; a weight for each point, or none if
+  /// there are no weights.
+  Builder(std::span<const mesh::Point> points, std::span<const double> weights, std::uint64_t seed,
+          int threads);
 
   /// Of the affine hull: -1 if there is no point. There are cells only if it is 3.
   [[nodiscard]] int dimension() const noexcept { return dimension_; }
+  [[nodiscard]] static constexpr bool is_weighted() noexcept { return kIsWeighted; }
   [[nodiscard]] const Cells<Index>& cells() const noexcept { return cells_; }
   /// The number of a site in the input; those added later follow.
   [[nodiscard]] mesh::Index point_of(Index site) const noexcept { return points_[site]; }
   [[nodiscard]] std::size_t points() const noexcept { return points_.size() - kFirstSite; }
-  [[nodiscard]] std::size_t duplicates() const noexcept { return duplicates_; }
+  /// Points that are neither vertices nor duplicates. Requires dimension 3.
+  [[nodiscard]] std::vector<mesh::Index> hidden() const;
+  [[nodiscard]] std::size_t duplicates() const;
   [[nodiscard]] std::size_t bytes() const noexcept;
 
-  /// A further point, as the last one. Requires dimension 3; finite coordinates.
-  /// Invalidates references to sites and cells. The answer is its site, or the vertex at its place.
-  Index add(const mesh::Point& point);
+  struct Added {
+    Outcome outcome = Outcome::inserted;
+    Index vertex = kNone;  ///< its site, or that of which it is a duplicate, or kNone if hidden
+  };
+  /// A further point, as the last one. Requires dimension 3; finite coordinates and weight, 0 if
+  /// there are no weights. Invalidates references to sites and cells.
+  Added add(const mesh::Point& point, double weight);
   /// As Triangulation::refine.
   std::size_t refine(const Wish& wish, std::size_t most);
-  [[nodiscard]] Inserter<Index>& inserter() noexcept { return inserters_.front(); }
+  [[nodiscard]] Inserter<Index, kIsWeighted>& inserter() noexcept { return inserters_.front(); }
 
   /// visit(cell, i) for each cell at the place of the point, which is its vertex i.
   template <class Visit>
@@ -60,27 +69,31 @@ class Builder {
   [[nodiscard]] std::vector<Region> regions(std::span<const Index> pending, bool is_shifted) const;
   [[nodiscard]] std::vector<Index> inserted_in_parts(std::span<const Index> pending,
                                                      bool is_shifted);
-  void note_duplicate(Index site, Index twin) noexcept;
+  void note_duplicate(Index site, Index twin);
+  [[nodiscard]] std::vector<bool> vertices() const;
   [[nodiscard]] Index site_of(mesh::Index point);
   [[nodiscard]] Index start_in(const Region& region, std::span<const Index> sites);
 
   Cells<Index> cells_;
   PageBuffer<Site> sites_;
   std::vector<mesh::Index> points_;
-  std::vector<typename LocalVertices<Index>::Claim> claims_;
-  std::vector<Inserter<Index>> inserters_;
-  std::vector<Index> sites_of_points_;  ///< filled when first asked for
+  std::vector<double> weights_;  ///< of sites, if they have any
+  std::vector<typename StarLinks<Index>::Claim> claims_;
+  std::vector<Inserter<Index, kIsWeighted>> inserters_;
+  std::vector<Index> sites_of_points_;          ///< filled when first asked for
+  std::vector<std::pair<Index, Index>> twins_;  ///< if weighted: of duplicates, with a vertex once
   CommonUnit unit_;
-  std::size_t duplicates_ = 0;
+  std::size_t duplicates_ = 0;  ///< if not weighted, or flat
   int dimension_ = -1;
 };
 
-template <class Index>
+template <class Index, bool kIsWeighted>
 template <class Visit>
-void Builder<Index>::for_each_around(mesh::Index point, Visit&& visit) {
+void Builder<Index, kIsWeighted>::for_each_around(mesh::Index point, Visit&& visit) {
   const Site& place = sites_[site_of(point)];
-  std::vector<Index> found{inserter().located(place)};
+  std::vector<Index> found{inserter().walk().located(place)};
   const Index vertex = inserter().vertex_at(cells_[found[0]], place);
+  if (vertex == kNone) return;  // hidden
   std::unordered_set<Index> seen{found[0]};
   for (std::size_t k = 0; k < found.size(); ++k) {
     const Cell<Index> cell = cells_[found[k]];

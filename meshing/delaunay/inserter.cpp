@@ -12,31 +12,35 @@ namespace {
 
 using exact::Sign;
 
-/// The vertex opposite to facet j of four_facets.hpp.
-constexpr unsigned opposite_of(unsigned facet) { return (facet + 3) & 3U; }
-constexpr unsigned facet_opposite(unsigned vertex) { return (vertex + 1) & 3U; }
-
 /// The vertices of facet j in an order that is right-handed with a point inside before them.
 constexpr std::array<std::array<std::uint8_t, 3>, 4> kInward{
     {{0, 2, 1}, {1, 2, 3}, {2, 0, 3}, {3, 0, 1}}};
 
-constexpr std::size_t kAtOnce = 4096;   // cells taken from the common store
-constexpr unsigned kMostOnHull = 1000;  // steps; more are a sign of a bad centre
+constexpr std::size_t kAtOnce = 4096;  // cells taken from the common store
 
 }  // namespace
 
-template <class Index>
-Inserter<Index>::Inserter(Cells<Index>& cells, const Site* sites, Claim* claims)
-    : cells_(cells), sites_(sites), signs_(four_facets()), locals_(claims), edges_(kEdges) {}
+template <class Index, bool kIsWeighted>
+Inserter<Index, kIsWeighted>::Inserter(Cells<Index>& cells, const Site* sites, Claim* claims,
+                                       const double* weights)
+    : cells_(cells),
+      sites_(sites),
+      weights_(weights),
+      signs_(four_facets()),
+      walk_(cells, sites),
+      links_(claims) {}
 
-template <class Index>
-void Inserter<Index>::use(const Site* sites, Claim* claims) noexcept {
+template <class Index, bool kIsWeighted>
+void Inserter<Index, kIsWeighted>::use(const Site* sites, Claim* claims,
+                                       const double* weights) noexcept {
   sites_ = sites;
-  locals_.use(claims);
+  weights_ = weights;
+  walk_.use(sites);
+  links_.use(claims);
 }
 
-template <class Index>
-void Inserter<Index>::begin(const std::array<Index, 4>& sites) {
+template <class Index, bool kIsWeighted>
+void Inserter<Index, kIsWeighted>::begin(const std::array<Index, 4>& sites) {
   cells_.reserve(5);
   const auto first = static_cast<Index>(cells_.taken(5).begin);
   // The last cell is the tetrahedron; the others have the ghost vertex in place of one vertex, and
@@ -64,137 +68,79 @@ void Inserter<Index>::begin(const std::array<Index, 4>& sites) {
           static_cast<unsigned>(std::find(other.begin(), other.end(), sites[i]) - other.begin());
       cells_[first + i].neighbors[k] = 4 * (first + lacks) + at;
     }
-  last_ = inner;
+  walk_.start_at(inner);
 }
 
-template <class Index>
-Outcome Inserter<Index>::insert(Index site) {
+template <class Index, bool kIsWeighted>
+Outcome Inserter<Index, kIsWeighted>::insert(Index site) {
   const Site& p = sites_[site];
-  const Index start = located(p);
+  const Index start = walk_.located(p);
   if (start == kNone) return Outcome::postponed;
   const bool is_outside = cells_[start].ghost() < 4;
   twin_ = vertex_at(cells_[start], p);
-  if (twin_ != kNone) return Outcome::duplicate;
+  if constexpr (kIsWeighted) {
+    if (twin_ != kNone && weights_[twin_] == weights_[site]) return Outcome::duplicate;
+    if (!is_outside && !conflicts(cells_[start], p)) return Outcome::hidden;
+  } else {
+    if (twin_ != kNone) return Outcome::duplicate;
+  }
   if (!dig(start, p)) {
     undo();
     return Outcome::postponed;
   }
-  if (!is_confined_) make_room();
+  if (!walk_.is_confined()) make_room();
   if (!has_room()) {
     undo();
     return Outcome::no_room;
   }
   fill(site);
-  if (is_outside) last_ = first_on_hull();  // the next one may be outside, too
+  if (is_outside) walk_.start_at(first_on_hull());  // the next one may be outside, too
   return Outcome::inserted;
 }
 
 /// Of the tetrahedra at a site that was outside.
-template <class Index>
-Index Inserter<Index>::first_on_hull() const noexcept {
+template <class Index, bool kIsWeighted>
+Index Inserter<Index, kIsWeighted>::first_on_hull() const noexcept {
   return *std::find_if(made().begin(), made().end(),
                        [&](Index cell) { return cells_[cell].ghost() < 4; });
 }
 
-template <class Index>
-Index Inserter<Index>::located(const Site& place) {
-  Index at = last_;
-  if (const unsigned ghost = cells_[at].ghost(); ghost < 4) {
-    if (const Index seen = visible_from(place); seen != kNone) return seen;
-    at = cells_[at].neighbors[ghost] / 4;
-  }
-  unsigned entered = 4;  // the vertex opposite to the facet through which the walk came
-  while (true) {
-    const Tetrahedron& cell = cells_[at];
-    unsigned ways = facets_towards(cell, entered, place);
-    if (ways == 0) return last_ = at;
-    if (is_confined_) ways &= facets_within(cell);
-    if (ways == 0) return kNone;
-    const Index to = cell.neighbors[opposite_of(static_cast<unsigned>(std::countr_zero(ways)))];
-    at = to / 4;
-    entered = static_cast<unsigned>(to % 4);
-    if (cells_[at].vertices[entered] == kGhost) return at;
-  }
-}
-
-/// From a facet of the hull over others: to one that the place lies strictly beyond, or kNone if it
-/// meets none. As in space the walk goes through facets, those of the tetrahedra that join the
-/// hull to the centre. These are left-handed, so every sign is turned round. Tetrahedra inside the
-/// hull may be long and thin, and many of them on the way.
-template <class Index>
-Index Inserter<Index>::visible_from(const Site& p) const {
-  Index at = last_;
-  unsigned entered = 4;
-  for (unsigned steps = 0; steps < kMostOnHull; ++steps) {
-    const Tetrahedron& cell = cells_[at];
-    const unsigned ghost = cell.ghost();
-    FourSites corners{};
-    for (unsigned i = 0; i < 4; ++i) corners[i] = i == ghost ? &centre_ : &sites_[cell.vertices[i]];
-    const FacetSigns signs = signs_.beyond(corners, p);
-    unsigned ways = 15U & ~(signs.positive | signs.undecided);
-    if ((ways >> facet_opposite(ghost) & 1U) != 0) return at;
-    if (entered < 4) ways &= ~(1U << facet_opposite(entered));
-    if (is_confined_) ways &= facets_within(cell);
-    if (ways == 0) return kNone;
-    const Index to = cell.neighbors[opposite_of(static_cast<unsigned>(std::countr_zero(ways)))];
-    at = to / 4;
-    entered = static_cast<unsigned>(to % 4);
-  }
-  return kNone;
-}
-
-/// The facets, other than that entered through, that the place lies strictly beyond: at least one
-/// if there are any.
-template <class Index>
-unsigned Inserter<Index>::facets_towards(const Tetrahedron& cell, unsigned entered,
-                                         const Site& p) const {
-  FourSites corners{};
-  for (unsigned i = 0; i < 4; ++i) corners[i] = &sites_[cell.vertices[i]];
-  const FacetSigns signs = signs_.beyond(corners, p);
-  const unsigned others = entered < 4 ? 15U & ~(1U << facet_opposite(entered)) : 15U;
-  if (const unsigned beyond = signs.positive & others; beyond != 0) return beyond;
-  for (unsigned rest = signs.undecided & others; rest != 0; rest &= rest - 1) {
-    const auto facet = static_cast<unsigned>(std::countr_zero(rest));
-    if (is_beyond(cell, opposite_of(facet), p)) return 1U << facet;
-  }
-  return 0;
-}
-
-/// The facets behind which the tetrahedron lies within the region. Requires that the cell does.
-template <class Index>
-unsigned Inserter<Index>::facets_within(const Tetrahedron& cell) const noexcept {
-  unsigned within = 0;
-  for (unsigned j = 0; j < 4; ++j) {
-    const Index facet = cell.neighbors[opposite_of(j)];
-    const Index apex = cells_[facet / 4].vertices[facet % 4];
-    within |= static_cast<unsigned>(apex == kGhost || region_.has(sites_[apex])) << j;
-  }
-  return within;
-}
-
-template <class Index>
-Index Inserter<Index>::vertex_at(const Tetrahedron& cell, const Site& place) const noexcept {
+template <class Index, bool kIsWeighted>
+Index Inserter<Index, kIsWeighted>::vertex_at(const Tetrahedron& cell,
+                                              const Site& place) const noexcept {
   for (const Index v : cell.vertices)
     if (sites_[v].is_at(place)) return v;
   return kNone;
 }
 
-template <class Index>
-bool Inserter<Index>::is_beyond(const Tetrahedron& cell, unsigned vertex, const Site& p) const {
-  std::array<exact::Point3, 4> points{};
-  for (unsigned i = 0; i < 4; ++i) points[i] = (i == vertex ? p : sites_[cell.vertices[i]]).point();
-  return exact::sign_of_orientation(points[0], points[1], points[2], points[3]) == Sign::negative;
+/// Of a site, not of another place.
+template <class Index, bool kIsWeighted>
+exact::WeightedPoint3 Inserter<Index, kIsWeighted>::weighted(const Site& site) const noexcept {
+  return {site.point(), weights_[&site - sites_]};
 }
 
-/// Whether the place lies in the open ball of the tetrahedron, ties decided.
-template <class Index>
-bool Inserter<Index>::conflicts(const Tetrahedron& cell, const Site& p) const {
-  std::array<exact::Point3, 4> points{};
-  const unsigned ghost = cell.ghost();
-  for (unsigned i = 0; i < 4; ++i) points[i] = (i == ghost ? p : sites_[cell.vertices[i]]).point();
-  if (ghost == 4)
-    return exact::sign_of_perturbed_in_sphere(points[0], points[1], points[2], points[3],
+/// Whether the site lies in the open ball of the tetrahedron, ties decided. Requires that the ghost
+/// vertex is none of its vertices.
+template <class Index, bool kIsWeighted>
+bool Inserter<Index, kIsWeighted>::is_in_ball(const Tetrahedron& cell, const Site& p) const {
+  const auto& [a, b, c, d] = cell.vertices;
+  if constexpr (kIsWeighted)
+    return exact::sign_of_perturbed_in_orthosphere(weighted(sites_[a]), weighted(sites_[b]),
+                                                   weighted(sites_[c]), weighted(sites_[d]),
+                                                   weighted(p)) == Sign::positive;
+  else
+    return exact::sign_of_perturbed_in_sphere(sites_[a].point(), sites_[b].point(),
+                                              sites_[c].point(), sites_[d].point(),
                                               p.point()) == Sign::positive;
+}
+
+/// The same for any cell that is not marked; beyond a facet of the hull is inside.
+template <class Index, bool kIsWeighted>
+bool Inserter<Index, kIsWeighted>::conflicts(const Tetrahedron& cell, const Site& p) const {
+  const unsigned ghost = cell.ghost();
+  if (ghost == 4) return is_in_ball(cell, p);
+  std::array<exact::Point3, 4> points{};
+  for (unsigned i = 0; i < 4; ++i) points[i] = (i == ghost ? p : sites_[cell.vertices[i]]).point();
   const Sign side = exact::sign_of_orientation(points[0], points[1], points[2], points[3]);
   if (side != Sign::zero) return side == Sign::positive;
   // In the plane of the hull's facet the ball of any tetrahedron below is the same disc. That
@@ -203,8 +149,8 @@ bool Inserter<Index>::conflicts(const Tetrahedron& cell, const Site& p) const {
   return below.is_marked() || conflicts(below, p);
 }
 
-template <class Index>
-typename Inserter<Index>::Neighbors Inserter<Index>::neighbors_of(
+template <class Index, bool kIsWeighted>
+typename Inserter<Index, kIsWeighted>::Neighbors Inserter<Index, kIsWeighted>::neighbors_of(
     const Tetrahedron& cell) const noexcept {
   Neighbors around{};
   for (unsigned j = 0; j < 4; ++j) {
@@ -221,27 +167,31 @@ typename Inserter<Index>::Neighbors Inserter<Index>::neighbors_of(
   return around;
 }
 
-template <class Index>
-bool Inserter<Index>::leaves_region(const Neighbors& around) const noexcept {
+template <class Index, bool kIsWeighted>
+bool Inserter<Index, kIsWeighted>::leaves_region(const Neighbors& around) const noexcept {
   const Site* const ghost = &sites_[kGhost];
   return std::any_of(around.apexes.begin(), around.apexes.end(),
-                     [&](const Site* apex) { return apex != ghost && !region_.has(*apex); });
+                     [&](const Site* apex) { return apex != ghost && !walk_.region().has(*apex); });
 }
 
 /// The neighbours, a bit for each facet, that are in conflict with the site.
-template <class Index>
-unsigned Inserter<Index>::conflicting(const Neighbors& around, const Site& p) const {
-  const FacetSigns signs =
-      signs_.conflict(around.corners, around.apexes, p, around.alive, short_below_);
-  const unsigned rest = signs.undecided & around.alive;
-  const unsigned inside = signs.positive & around.alive;
-  return rest == 0 ? inside : inside | conflicting_exactly(around, rest, p);
+template <class Index, bool kIsWeighted>
+unsigned Inserter<Index, kIsWeighted>::conflicting(const Neighbors& around, const Site& p) const {
+  if constexpr (kIsWeighted) {
+    return conflicting_exactly(around, around.alive, p);
+  } else {
+    const FacetSigns signs =
+        signs_.conflict(around.corners, around.apexes, p, around.alive, short_below_);
+    const unsigned rest = signs.undecided & around.alive;
+    const unsigned inside = signs.positive & around.alive;
+    return rest == 0 ? inside : inside | conflicting_exactly(around, rest, p);
+  }
 }
 
 /// Of the given ones.
-template <class Index>
-unsigned Inserter<Index>::conflicting_exactly(const Neighbors& around, unsigned facets,
-                                              const Site& p) const {
+template <class Index, bool kIsWeighted>
+unsigned Inserter<Index, kIsWeighted>::conflicting_exactly(const Neighbors& around, unsigned facets,
+                                                           const Site& p) const {
   unsigned inside = 0;
   for (unsigned rest = facets; rest != 0; rest &= rest - 1) {
     const auto j = static_cast<unsigned>(std::countr_zero(rest));
@@ -251,8 +201,8 @@ unsigned Inserter<Index>::conflicting_exactly(const Neighbors& around, unsigned 
 }
 
 /// Finds the cavity and marks its tetrahedra; false if it leaves the region.
-template <class Index>
-bool Inserter<Index>::dig(Index start, const Site& p) {
+template <class Index, bool kIsWeighted>
+bool Inserter<Index, kIsWeighted>::dig(Index start, const Site& p) {
   constexpr Index kMark = Tetrahedron::kMark;
   const auto make_room = [](auto& list, std::size_t count) {
     if (list.size() < count) list.resize(2 * count);
@@ -267,7 +217,7 @@ bool Inserter<Index>::dig(Index start, const Site& p) {
     make_room(doomed_, doomed_count_ + 4);
     make_room(walls_, facet_count_ + 4);
     const Neighbors around = neighbors_of(cells_[doomed_[k] / 4]);
-    if (is_confined_ && leaves_region(around)) return false;
+    if (walk_.is_confined() && leaves_region(around)) return false;
     const unsigned inside = conflicting(around, p);
     const unsigned outside = around.alive & ~inside;
     // Written in any case, counted if it applies: which it is cannot be foretold.
@@ -287,15 +237,15 @@ bool Inserter<Index>::dig(Index start, const Site& p) {
   return true;
 }
 
-template <class Index>
-void Inserter<Index>::undo() {
+template <class Index, bool kIsWeighted>
+void Inserter<Index, kIsWeighted>::undo() {
   for (std::size_t i = 0; i < doomed_count_; ++i)
     cells_[doomed_[i] / 4].vertices[0] &= ~Tetrahedron::kMark;
 }
 
 /// Sees to as many free cells as the new tetrahedra need besides those of the cavity, if there are.
-template <class Index>
-bool Inserter<Index>::has_room() {
+template <class Index, bool kIsWeighted>
+bool Inserter<Index, kIsWeighted>::has_room() {
   while (free_.size() + doomed_count_ < facet_count_) {
     const auto range = cells_.taken(kAtOnce);
     if (range.begin == range.end) return false;
@@ -305,8 +255,8 @@ bool Inserter<Index>::has_room() {
 }
 
 /// Sees to it that there are. If the system has no more, all is as before.
-template <class Index>
-void Inserter<Index>::make_room() {
+template <class Index, bool kIsWeighted>
+void Inserter<Index, kIsWeighted>::make_room() {
   if (free_.size() + doomed_count_ >= facet_count_) return;
   try {
     cells_.reserve(cells_.size() + facet_count_);
@@ -316,8 +266,8 @@ void Inserter<Index>::make_room() {
   }
 }
 
-template <class Index>
-void Inserter<Index>::fill(Index site) {
+template <class Index, bool kIsWeighted>
+void Inserter<Index, kIsWeighted>::fill(Index site) {
   collect_facets();
   const bool is_numbered = number_vertices();
   for (std::size_t i = 0; i < doomed_count_; ++i) {
@@ -339,20 +289,20 @@ void Inserter<Index>::fill(Index site) {
     cell.neighbors[0] = outer;
     cells_[outer / 4].neighbors[outer % 4] = 4 * new_cells_[i];
   }
-  last_ = new_cells_[0];
+  walk_.start_at(new_cells_[0]);
+  const std::span<const Facet> facets(facets_.data(), facet_count_);
   if (is_numbered)
-    link();
+    links_.link(cells_, facets, new_cells_.data());
   else
-    link_by_sorting();
+    links_.link_by_sorting(cells_, facets, new_cells_.data());
 }
 
 /// Before the cells of the cavity are used again.
-template <class Index>
-void Inserter<Index>::collect_facets() {
+template <class Index, bool kIsWeighted>
+void Inserter<Index, kIsWeighted>::collect_facets() {
   if (facets_.size() < facet_count_) {
     facets_.resize(2 * facet_count_);
     new_cells_.resize(2 * facet_count_);
-    numbers_.resize(2 * facet_count_);
   }
   for (std::size_t i = 0; i < facet_count_; ++i) {
     const Tetrahedron& cell = cells_[doomed_[walls_[i] / 4] / 4];
@@ -367,62 +317,22 @@ void Inserter<Index>::collect_facets() {
 
 /// The vertices of the cavity: four, and one more at most for each further tetrahedron. Before the
 /// cells are used again.
-template <class Index>
-bool Inserter<Index>::number_vertices() {
+template <class Index, bool kIsWeighted>
+bool Inserter<Index, kIsWeighted>::number_vertices() {
   constexpr Index kVertex = ~Tetrahedron::kMark;
-  locals_.clear();
+  links_.clear();
   for (const Index v : cells_[doomed_[0] / 4].vertices)
-    if (!locals_.add(v & kVertex)) return false;
+    if (!links_.add(v & kVertex)) return false;
   for (std::size_t i = 1; i < doomed_count_; ++i) {
     const Index apex = cells_[doomed_[i] / 4].vertices[doomed_[i] % 4];
-    if (!locals_.add(apex & kVertex)) return false;
+    if (!links_.add(apex & kVertex)) return false;
   }
   return true;
 }
 
-/// Tetrahedra with the new site at vertex 0 are neighbours across the edges of their facets.
-template <class Index>
-void Inserter<Index>::link() {
-  constexpr unsigned kMost = LocalVertices<Index>::kMost;
-  Index* const edges = edges_.data();
-  for (std::size_t i = 0; i < facet_count_; ++i) {
-    const auto& v = facets_[i].vertices;
-    const unsigned a = locals_.number_of(v[0]), b = locals_.number_of(v[1]),
-                   c = locals_.number_of(v[2]);
-    const Index at = 4 * new_cells_[i];
-    numbers_[i] = {a, b, c};
-    edges[kMost * b + c] = at + 1;
-    edges[kMost * c + a] = at + 2;
-    edges[kMost * a + b] = at + 3;
-  }
-  for (std::size_t i = 0; i < facet_count_; ++i) {
-    const auto [a, b, c] = numbers_[i];
-    auto& neighbors = cells_[new_cells_[i]].neighbors;
-    neighbors[1] = edges[kMost * c + b];
-    neighbors[2] = edges[kMost * a + c];
-    neighbors[3] = edges[kMost * b + a];
-  }
-}
-
-/// For a cavity with many vertices: the two references at each edge, brought together.
-template <class Index>
-void Inserter<Index>::link_by_sorting() {
-  far_edges_.clear();
-  for (std::size_t i = 0; i < facet_count_; ++i)
-    for (unsigned k = 0; k < 3; ++k) {
-      const auto& v = facets_[i].vertices;
-      const auto [low, high] = std::minmax(v[(k + 1) % 3], v[(k + 2) % 3]);
-      far_edges_.push_back({low, high, static_cast<Index>(4 * new_cells_[i] + k + 1)});
-    }
-  std::sort(far_edges_.begin(), far_edges_.end());
-  for (std::size_t i = 0; i < far_edges_.size(); i += 2) {
-    const Index a = far_edges_[i][2], b = far_edges_[i + 1][2];
-    cells_[a / 4].neighbors[a % 4] = b;
-    cells_[b / 4].neighbors[b % 4] = a;
-  }
-}
-
-template class Inserter<std::uint32_t>;
-template class Inserter<std::uint64_t>;
+template class Inserter<std::uint32_t, false>;
+template class Inserter<std::uint64_t, false>;
+template class Inserter<std::uint32_t, true>;
+template class Inserter<std::uint64_t, true>;
 
 }  // namespace hexatlas::delaunay

@@ -1,12 +1,17 @@
 #pragma once
 /// \file
-/// Private to meshing/delaunay: one point after another into a Delaunay triangulation.
+/// Private to meshing/delaunay: one point after another into a Delaunay triangulation, or, with
+/// weights, into a regular one.
 ///
 /// Method. A. Bowyer, D. F. Watson (1981): the tetrahedra whose open circumscribed ball contains
 /// the point, its cavity, give way to the tetrahedra that join the facets of the cavity's boundary
 /// to the point. The cavity is connected, and found from the tetrahedron that contains the point,
 /// to which a walk leads. Ties are decided as docs/theory/delaunay-ties.md says, so the
 /// triangulation does not depend on the order of insertion.
+///
+/// With weights the ball is that of the orthosphere. A site that is not in conflict with the
+/// tetrahedron that contains it is in no tetrahedron, now or later; sites inside of a cavity are in
+/// none from then on.
 ///
 /// Several threads. An inserter with a region touches only tetrahedra whose vertices, the ghost
 /// vertex apart, all lie in the region, and looks at neighbours of such. A neighbour shares at
@@ -24,34 +29,28 @@
 #include "meshing/delaunay/cells.hpp"
 #include "meshing/delaunay/common_unit.hpp"
 #include "meshing/delaunay/four_facets.hpp"
-#include "meshing/delaunay/local_vertices.hpp"
 #include "meshing/delaunay/site.hpp"
+#include "meshing/delaunay/star_links.hpp"
+#include "meshing/delaunay/walk.hpp"
+#include "realize/exact/in_orthosphere.hpp"
 
 namespace hexatlas::delaunay {
 
 enum class Outcome : std::uint8_t {
   inserted,
-  duplicate,  ///< of a site that is a vertex already
+  duplicate,  ///< of a site that is a vertex already, with the same weight
+  hidden,     ///< by others: in no tetrahedron
   postponed,  ///< its cavity leaves the region
   no_room     ///< for the new tetrahedra
 };
 
-/// Keys from `first` on and below `end`; all others if `is_inverted`.
-struct Region {
-  std::uint64_t first = 0, end = ~std::uint64_t{0};
-  bool is_inverted = false;
-  [[nodiscard]] bool has(const Site& site) const noexcept {
-    return (site.key >= first && site.key < end) != is_inverted;
-  }
-};
-
-template <class Index>
+template <class Index, bool kIsWeighted>
 class Inserter {
  public:
-  using Claim = typename LocalVertices<Index>::Claim;
+  using Claim = typename StarLinks<Index>::Claim;
 
-  /// Claims: one for each site.
-  Inserter(Cells<Index>& cells, const Site* sites, Claim* claims);
+  /// Claims and weights: one for each site. Weights may be null if there are none.
+  Inserter(Cells<Index>& cells, const Site* sites, Claim* claims, const double* weights);
 
   /// The five tetrahedra on four sites and the ghost vertex. Requires: no cells; right-handed.
   void begin(const std::array<Index, 4>& sites);
@@ -59,21 +58,12 @@ class Inserter {
   /// of these cells, and a start that is in use and within the region.
   Outcome insert(Index site);
 
-  /// Where the next walk begins.
-  [[nodiscard]] Index start() const noexcept { return last_; }
-  void start_at(Index cell) noexcept { last_ = cell; }
-  void confine_to(const Region& region) noexcept {
-    region_ = region;
-    is_confined_ = true;
-  }
-  void release() noexcept { is_confined_ = false; }
-  /// A place inside of the hull, more or less: the nearer to its middle, the shorter the walks over
-  /// the hull. None need end if it is not.
-  void look_from(const Site& centre) noexcept { centre_ = centre; }
+  /// The next walk begins where it says, within its region if there is one.
+  [[nodiscard]] Walk<Index>& walk() noexcept { return walk_; }
   /// Of all sites that are to be inserted.
   void use(const CommonUnit& unit) noexcept { short_below_ = unit.short_below(); }
-  /// Sites and claims have moved; there may be more of them.
-  void use(const Site* sites, Claim* claims) noexcept;
+  /// Sites, claims and weights have moved; there may be more of them.
+  void use(const Site* sites, Claim* claims, const double* weights) noexcept;
 
   /// After `duplicate`: the vertex at the same place.
   [[nodiscard]] Index twin() const noexcept { return twin_; }
@@ -82,23 +72,13 @@ class Inserter {
     return {new_cells_.data(), facet_count_};
   }
 
-  /// The tetrahedron that contains the place, or a facet of the hull that it lies strictly beyond;
-  /// kNone if every way to it leaves the region; the next walk then begins where this one did.
-  [[nodiscard]] Index located(const Site& place);
   /// The vertex of the cell that is at the place, or kNone.
   [[nodiscard]] Index vertex_at(const Cell<Index>& cell, const Site& place) const noexcept;
 
  private:
   using Tetrahedron = Cell<Index>;
-  static constexpr std::size_t kEdges =
-      std::size_t{LocalVertices<Index>::kMost} * LocalVertices<Index>::kMost;
+  using Facet = CavityFacet<Index>;
 
-  /// Of the cavity's boundary: with a vertex inside before them, the vertices are right-handed.
-  struct Facet {
-    std::array<Index, 3> vertices;
-    Index outer;  ///< the same facet in the tetrahedron that stays
-  };
-  using Numbers = std::array<std::uint32_t, 3>;
   /// Of a tetrahedron of the cavity, by its facets.
   struct Neighbors {
     FourSites corners{}, apexes{};
@@ -118,25 +98,18 @@ class Inserter {
   void fill(Index site);
   void collect_facets();
   [[nodiscard]] bool number_vertices();
-  void link();
-  void link_by_sorting();
   [[nodiscard]] Index first_on_hull() const noexcept;
-  [[nodiscard]] Index visible_from(const Site& p) const;
-  [[nodiscard]] unsigned facets_towards(const Tetrahedron& cell, unsigned entered,
-                                        const Site& p) const;
-  [[nodiscard]] unsigned facets_within(const Tetrahedron& cell) const noexcept;
-  [[nodiscard]] bool is_beyond(const Tetrahedron& cell, unsigned vertex, const Site& p) const;
   [[nodiscard]] bool conflicts(const Tetrahedron& cell, const Site& p) const;
+  [[nodiscard]] bool is_in_ball(const Tetrahedron& cell, const Site& p) const;
+  [[nodiscard]] exact::WeightedPoint3 weighted(const Site& site) const noexcept;
 
   Cells<Index>& cells_;
   const Site* sites_;
+  const double* weights_;
   const FourFacets& signs_;
-  Region region_;
-  bool is_confined_ = false;
-  Site centre_;
+  Walk<Index> walk_;
   double short_below_ = -1;  ///< as for FourFacets::conflict()
-  LocalVertices<Index> locals_;
-  std::vector<Index> edges_;  ///< references, by two local numbers
+  StarLinks<Index> links_;
   /// The cells of the cavity: references to the facets through which they were found, of the first
   /// one any.
   std::vector<Index> doomed_;
@@ -146,10 +119,7 @@ class Inserter {
   std::vector<Facet> facets_;  ///< the same
   std::size_t facet_count_ = 0;
   std::vector<Index> new_cells_;  ///< for each facet
-  std::vector<Numbers> numbers_;  ///< of the vertices of each facet
   std::vector<Index> free_;
-  std::vector<std::array<Index, 3>> far_edges_;  ///< two vertices and a reference
-  Index last_ = kNone;
   Index twin_ = kNone;
 };
 

@@ -1,6 +1,7 @@
 #include "meshing/delaunay/triangulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -24,15 +25,15 @@ Tetrahedron in_order(const Tetrahedron& t) {
   return result;
 }
 
-template <class Index>
-Tetrahedron with_points(const Builder<Index>& builder, const Cell<Index>& cell) {
+template <class Index, bool kIsWeighted>
+Tetrahedron with_points(const Builder<Index, kIsWeighted>& builder, const Cell<Index>& cell) {
   Tetrahedron result{};
   for (unsigned i = 0; i < 4; ++i) result[i] = builder.point_of(cell.vertices[i]);
   return result;
 }
 
-template <class Index, class Visit>
-void for_each_tetrahedron(const Builder<Index>& builder, Visit&& visit) {
+template <class Index, bool kIsWeighted, class Visit>
+void for_each_tetrahedron(const Builder<Index, kIsWeighted>& builder, Visit&& visit) {
   if (builder.dimension() < 3) return;
   for (std::size_t c = 1; c < builder.cells().size(); ++c)
     if (const auto& cell = builder.cells()[static_cast<Index>(c)]; cell.is_tetrahedron())
@@ -62,16 +63,37 @@ bool needs_long(std::size_t points, References references) {
   return references == References::long_ || (references == References::automatic && points > kMost);
 }
 
+void expect_points(std::span<const mesh::Point> points) {
+  core::expects(points.size() < std::numeric_limits<mesh::Index>::max() - 1,
+                "fewer than 2^32 - 2 points");
+  core::expects(std::all_of(points.begin(), points.end(), mesh::is_finite), "finite coordinates");
+}
+
+/// For any alternative of the variant.
+template <bool kIsWeighted, class Variant>
+void build(Variant& builder, std::span<const mesh::Point> points, std::span<const double> weights,
+           const Options& options) {
+  expect_points(points);
+  if (needs_long(points.size(), options.references))
+    builder = std::make_unique<Builder<std::uint64_t, kIsWeighted>>(points, weights, options.seed,
+                                                                    options.threads);
+  else
+    builder = std::make_unique<Builder<std::uint32_t, kIsWeighted>>(points, weights, options.seed,
+                                                                    options.threads);
+}
+
 }  // namespace
 
 Triangulation::Triangulation(std::span<const mesh::Point> points, const Options& options) {
-  core::expects(points.size() < std::numeric_limits<Index>::max() - 1,
-                "fewer than 2^32 - 2 points");
-  core::expects(std::all_of(points.begin(), points.end(), mesh::is_finite), "finite coordinates");
-  if (needs_long(points.size(), options.references))
-    builder_ = std::make_unique<Builder<std::uint64_t>>(points, options.seed, options.threads);
-  else
-    builder_ = std::make_unique<Builder<std::uint32_t>>(points, options.seed, options.threads);
+  build<false>(builder_, points, {}, options);
+}
+
+Triangulation::Triangulation(std::span<const mesh::Point> points, std::span<const double> weights,
+                             const Options& options) {
+  core::expects(
+      std::all_of(weights.begin(), weights.end(), [](double w) { return std::isfinite(w); }),
+      "finite weights");
+  build<true>(builder_, points, weights, options);
 }
 
 Triangulation::Triangulation(Triangulation&&) noexcept = default;
@@ -82,12 +104,21 @@ int Triangulation::dimension() const noexcept {
   return std::visit([](const auto& b) { return b->dimension(); }, builder_);
 }
 
+bool Triangulation::is_weighted() const noexcept {
+  return std::visit([](const auto& b) { return b->is_weighted(); }, builder_);
+}
+
 std::size_t Triangulation::points() const noexcept {
   return std::visit([](const auto& b) { return b->points(); }, builder_);
 }
 
-std::size_t Triangulation::duplicates() const noexcept {
+std::size_t Triangulation::duplicates() const {
   return std::visit([](const auto& b) { return b->duplicates(); }, builder_);
+}
+
+std::vector<Triangulation::Index> Triangulation::hidden() const {
+  core::expects(dimension() == 3, "tetrahedra");
+  return std::visit([](const auto& b) { return b->hidden(); }, builder_);
 }
 
 std::size_t Triangulation::bytes() const noexcept {
@@ -118,7 +149,7 @@ std::optional<Tetrahedron> Triangulation::located(const mesh::Point& place) {
   core::expects(dimension() == 3 && mesh::is_finite(place), "a place, and tetrahedra");
   return std::visit(
       [&](auto& b) -> std::optional<Tetrahedron> {
-        const auto& cell = b->cells()[b->inserter().located(site_at(place))];
+        const auto& cell = b->cells()[b->inserter().walk().located(site_at(place))];
         if (cell.ghost() < 4) return std::nullopt;
         return with_points(*b, cell);
       },
@@ -139,7 +170,19 @@ std::vector<Tetrahedron> Triangulation::star(Index point) {
 }
 
 Triangulation::Index Triangulation::insert(const mesh::Point& place) {
-  return std::visit([&](auto& b) { return b->point_of(b->add(place)); }, builder_);
+  core::expects(!is_weighted(), "no weights");
+  return std::visit([&](auto& b) { return b->point_of(b->add(place, 0).vertex); }, builder_);
+}
+
+std::optional<Triangulation::Index> Triangulation::insert(const mesh::Point& place, double weight) {
+  core::expects(is_weighted(), "weights");
+  return std::visit(
+      [&](auto& b) -> std::optional<Index> {
+        const auto added = b->add(place, weight);
+        if (added.outcome == Outcome::hidden) return std::nullopt;
+        return b->point_of(added.vertex);
+      },
+      builder_);
 }
 
 std::size_t Triangulation::refine(const Wish& wish, std::size_t most) {

@@ -18,7 +18,7 @@ using Tetrahedra = std::vector<std::array<std::uint32_t, 4>>;
 
 __extension__ using Wide = __int128;
 
-/// Of integers: Wide if differences of coordinates are below 2^22.
+/// Of integers: Wide if differences of coordinates are below 2^22, of weights below 2^44.
 template <class T>
 struct Oracle {
   using Place = std::array<T, 3>;
@@ -34,38 +34,48 @@ struct Oracle {
 
   static int sign(const T& value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-  /// Positive: the fifth lies inside the perturbed sphere of the others, which are right-handed.
-  static int perturbed_in_sphere(const std::array<Place, 5>& p) {
-    std::array<T, 5> weights;
+  /// Positive: the fifth lies inside the perturbed sphere of the others, which are right-handed; if
+  /// weights are given, in their perturbed orthosphere.
+  static int perturbed_in_sphere(const std::array<Place, 5>& p,
+                                 const std::array<T, 5>& weights = {}) {
+    std::array<T, 5> factors;
     for (std::size_t k = 0; k < 4; ++k) {
       std::array<Place, 5> q = p;
       q[k] = p[4];
-      weights[k] = six_volumes(q[0], q[1], q[2], q[3]);
+      factors[k] = six_volumes(q[0], q[1], q[2], q[3]);
     }
-    weights[4] = T(-six_volumes(p[0], p[1], p[2], p[3]));
+    factors[4] = T(-six_volumes(p[0], p[1], p[2], p[3]));
     T sum = 0;
     for (std::size_t k = 0; k < 5; ++k) {
       // Heights seen from the last point: the sum is the same.
-      T height = 0;
+      T height = T(weights[4] - weights[k]);
       for (std::size_t i = 0; i < 3; ++i) height += T(p[k][i] - p[4][i]) * T(p[k][i] - p[4][i]);
-      sum += T(height * weights[k]);
+      sum += T(height * factors[k]);
     }
     if (sum != 0) return sign(sum);
     std::array<std::size_t, 5> order{0, 1, 2, 3, 4};
     std::sort(order.begin(), order.end(),
               [&](std::size_t i, std::size_t j) { return p[j] < p[i]; });
     for (const std::size_t k : order)
-      if (weights[k] != 0) return sign(weights[k]);
+      if (factors[k] != 0) return sign(factors[k]);
     return 0;
   }
 
   /// As Triangulation::tetrahedra().
   static Tetrahedra delaunay(const std::vector<Place>& points) {
-    std::map<Place, std::uint32_t> least;
-    for (std::uint32_t i = 0; i < points.size(); ++i) least.emplace(points[i], i);
+    return regular(points, std::vector<T>(points.size(), T(0)));
+  }
+
+  /// The same with weights. Only the heaviest at a place can be a vertex.
+  static Tetrahedra regular(const std::vector<Place>& points, const std::vector<T>& weights) {
+    std::map<Place, std::uint32_t> best;
+    for (std::uint32_t i = 0; i < points.size(); ++i) {
+      const auto at = best.emplace(points[i], i).first;
+      if (weights[i] > weights[at->second]) at->second = i;
+    }
     std::vector<std::uint32_t> vertices;
-    vertices.reserve(least.size());
-    for (const auto& [place, number] : least) vertices.push_back(number);
+    vertices.reserve(best.size());
+    for (const auto& [place, number] : best) vertices.push_back(number);
     std::sort(vertices.begin(), vertices.end());
     Tetrahedra result;
     const std::size_t n = vertices.size();
@@ -73,14 +83,14 @@ struct Oracle {
       for (std::size_t b = a + 1; b < n; ++b)
         for (std::size_t c = b + 1; c < n; ++c)
           for (std::size_t d = c + 1; d < n; ++d)
-            add_if_empty(points, vertices, {vertices[a], vertices[b], vertices[c], vertices[d]},
-                         result);
+            add_if_empty(points, weights, vertices,
+                         {vertices[a], vertices[b], vertices[c], vertices[d]}, result);
     std::sort(result.begin(), result.end());
     return result;
   }
 
  private:
-  static void add_if_empty(const std::vector<Place>& points,
+  static void add_if_empty(const std::vector<Place>& points, const std::vector<T>& weights,
                            const std::vector<std::uint32_t>& vertices,
                            std::array<std::uint32_t, 4> t, Tetrahedra& result) {
     const T volume = six_volumes(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
@@ -88,8 +98,9 @@ struct Oracle {
     if (volume < 0) std::swap(t[2], t[3]);
     for (const std::uint32_t e : vertices)
       if (std::find(t.begin(), t.end(), e) == t.end() &&
-          perturbed_in_sphere({points[t[0]], points[t[1]], points[t[2]], points[t[3]], points[e]}) >
-              0)
+          perturbed_in_sphere(
+              {points[t[0]], points[t[1]], points[t[2]], points[t[3]], points[e]},
+              {weights[t[0]], weights[t[1]], weights[t[2]], weights[t[3]], weights[e]}) > 0)
         return;
     result.push_back(t);
   }

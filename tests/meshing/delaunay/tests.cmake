@@ -1,6 +1,9 @@
 hexatlas_test(meshing_delaunay_test fast
   SOURCES delaunay/triangulation_test.cpp delaunay/degenerate_test.cpp
   USES meshing_delaunay realize_exact)
+hexatlas_test(meshing_delaunay_weighted_test fast
+  SOURCES delaunay/weighted_test.cpp
+  USES meshing_delaunay realize_exact)
 hexatlas_test(meshing_delaunay_laws_test fast
   SOURCES delaunay/laws_test.cpp
   USES meshing_delaunay realize_exact)
@@ -21,6 +24,6 @@ hexatlas_test(meshing_delaunay_many_threads_test long
   USES meshing_delaunay realize_exact)
 if(TARGET hexatlas_cgal)
   hexatlas_test(meshing_delaunay_cgal_test fast
-    SOURCES delaunay/cgal_test.cpp
+    SOURCES delaunay/cgal_test.cpp delaunay/cgal_weighted_test.cpp
     USES meshing_delaunay hexatlas_cgal)
 endif()

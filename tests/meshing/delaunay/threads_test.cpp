@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <vector>
 
 #include "meshing/delaunay/triangulation.hpp"
 #include "tests/meshing/delaunay/clouds.hpp"
@@ -50,6 +51,39 @@ TEST(DelaunayThreads, Lattice) {
 TEST(DelaunayThreads, Clusters) {
   Random random(20261264);
   expect_same(clusters(12000, random), {3});
+}
+
+void expect_same_weighted(const Cloud& points, const std::vector<double>& weights,
+                          std::initializer_list<int> numbers_of_threads) {
+  const Triangulation one(points, weights);
+  const auto expected = one.tetrahedra();
+  const auto hidden = one.hidden();
+  EXPECT_GT(hidden.size(), points.size() / 10);
+  std::uint64_t seed = 0;
+  for (const int threads : numbers_of_threads) {
+    const Triangulation made(points, weights, {threads, ++seed});
+    ASSERT_EQ(made.tetrahedra(), expected) << threads << " threads";
+    ASSERT_EQ(made.duplicates(), one.duplicates());
+    ASSERT_EQ(made.hidden(), hidden);
+  }
+}
+
+/// Vertices are hidden by others in all parts.
+TEST(DelaunayThreads, WeightsInGeneralPosition) {
+  Random random(20261266);
+  const Cloud points = uniform(14000, random);
+  std::vector<double> weights(points.size());
+  for (double& w : weights) w = 0.003 * unit(random);
+  expect_same_weighted(points, weights, {2, 4});
+}
+
+/// Ties everywhere; of points at one place the heavier wins, of equal ones the first.
+TEST(DelaunayThreads, WeightsOnALattice) {
+  Random random(20261267);
+  const Cloud points = with_duplicates(grid(22, 1), random);
+  std::vector<double> weights(points.size());
+  for (double& w : weights) w = static_cast<double>(random() % 3);
+  expect_same_weighted(points, weights, {3, 4});
 }
 
 TEST(DelaunayThreads, LongReferences) {
