@@ -221,6 +221,7 @@ std::string json_line(const check::DelaunayVerdict& verdict) {
   json["reason"] = verdict.reason;
   json["points"] = verdict.points;
   json["duplicates"] = verdict.duplicates;
+  json["hidden"] = verdict.hidden;
   json["tetrahedra"] = verdict.tetrahedra;
   json["facets"] = verdict.facets;
   json["boundary_facets"] = verdict.boundary_facets;
@@ -237,11 +238,12 @@ std::string sentence(const CheckOptions& options, const check::DelaunayVerdict& 
     return fmt::format("{}: rejected: {}: {}\n", options.mesh, check::name_of(verdict.broken),
                        verdict.reason);
   return fmt::format(
-      "{}: accepted: a Delaunay triangulation, {}, {} points ({} of them duplicates), {} facets, "
-      "{} "
+      "{}: accepted: a {} triangulation, {}, {} points ({} of them duplicates{}), {} facets, {} "
       "of them on the boundary; {} interior facets between tetrahedra of one sphere{}\n",
-      options.mesh, counted(verdict.tetrahedra, "tetrahedron", "tetrahedra"), verdict.points,
-      verdict.duplicates, verdict.facets, verdict.boundary_facets, verdict.cospherical,
+      options.mesh, options.weights ? "regular" : "Delaunay",
+      counted(verdict.tetrahedra, "tetrahedron", "tetrahedra"), verdict.points, verdict.duplicates,
+      options.weights ? fmt::format(", {} hidden", verdict.hidden) : "", verdict.facets,
+      verdict.boundary_facets, verdict.cospherical,
       options.points.empty() ? "" : "; its points are those of " + options.points);
 }
 
@@ -251,10 +253,14 @@ ExitCode check_delaunay_mesh(const CheckOptions& options) {
     return ExitCode::usage;
   }
   const check::TetrahedralMesh mesh = check::read_tetrahedra(options.mesh);
-  std::vector<check::Point> points;
-  if (!options.points.empty()) points = check::read_points(options.points);
-  const check::DelaunayVerdict verdict =
-      check::check_delaunay(mesh, options.points.empty() ? nullptr : &points);
+  const auto judged = [&] {
+    if (options.points.empty()) return check::check_delaunay(mesh, nullptr);
+    if (options.weights)
+      return check::check_regular(mesh, check::read_weighted_points(options.points));
+    const std::vector<check::Point> points = check::read_points(options.points);
+    return check::check_delaunay(mesh, &points);
+  };
+  const check::DelaunayVerdict verdict = judged();
   print(options.json ? json_line(verdict) : sentence(options, verdict));
   return verdict.accepted ? ExitCode::yes : ExitCode::no;
 }

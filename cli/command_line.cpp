@@ -111,12 +111,18 @@ void add_check(CLI::App& app, Action& action) {
       command->add_flag("--delaunay", options->delaunay,
                         "The mesh must be a Delaunay triangulation of its points, by exact signs");
   delaunay->excludes(hybrid);
+  auto* points =
+      command
+          ->add_option(
+              "--points", options->points,
+              "With --delaunay: file whose points the mesh must have, in the same order (.xyz, "
+              ".bin of doubles, .ply, .obj, .off, or a mesh)")
+          ->needs(delaunay);
   command
-      ->add_option(
-          "--points", options->points,
-          "With --delaunay: file whose points the mesh must have, in the same order (.xyz, "
-          ".bin of doubles, .ply, .obj, .off, or a mesh)")
-      ->needs(delaunay);
+      ->add_flag("--weights", options->weights,
+                 "The points of --points (.xyz .bin) have a fourth number, the weight: the "
+                 "triangulation must be regular")
+      ->needs(points);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(
       "Examples:\n"

@@ -87,6 +87,9 @@ void add_mesh_delaunay(CLI::App& mesh, Action& action) {
   command->add_option("-o,--output", options->output,
                       "Mesh to write: .vtu .vtk .mesh .msh .hxtet, or - for standard output "
                       "(.vtk); without, the tetrahedra are counted");
+  command->add_flag("--weights", options->weights,
+                    "POINTS (.xyz .bin) have a fourth number, the weight: regular triangulation, "
+                    "by power distances");
   command->add_flag("--json", options->json, "Print one JSON object");
   add_threads(*command, options->threads);
   command->footer(

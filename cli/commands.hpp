@@ -55,6 +55,7 @@ struct MeshBoundaryOptions {
 struct MeshDelaunayOptions {
   std::string input;
   std::string output;  ///< empty: count only
+  bool weights = false;
   bool json = false;
   int threads = 0;  ///< 0: all processors
 };
@@ -126,6 +127,7 @@ struct ViewOptions {
 struct CheckOptions {
   std::string mesh, boundary, completeness, points;
   bool delaunay = false;
+  bool weights = false;  ///< of the points: the triangulation is to be regular
   bool hybrid = false;
   bool json = false;
 };

@@ -14,7 +14,7 @@ namespace hexatlas::cli {
 namespace {
 
 struct Account {
-  std::size_t points = 0, duplicates = 0, tetrahedra = 0;
+  std::size_t points = 0, duplicates = 0, hidden = 0, tetrahedra = 0;
   double seconds = 0;  ///< of triangulating, without the files
   int threads = 1;
   double bytes_per_tetrahedron = 0;
@@ -24,6 +24,7 @@ std::string json_line(const Account& account) {
   nlohmann::ordered_json json;
   json["points"] = account.points;
   json["duplicates"] = account.duplicates;
+  json["hidden"] = account.hidden;
   json["tetrahedra"] = account.tetrahedra;
   json["seconds"] = account.seconds;
   json["threads"] = account.threads;
@@ -31,12 +32,13 @@ std::string json_line(const Account& account) {
   return to_line(json);
 }
 
-std::string summary(const Account& account, const std::string& output) {
-  return fmt::format("{}: {} of {}, {}\n{:.2f} seconds with {}, {:.0f} bytes per tetrahedron\n",
+std::string summary(const Account& account, const std::string& output, bool is_weighted) {
+  return fmt::format("{}: {} of {}, {}{}\n{:.2f} seconds with {}, {:.0f} bytes per tetrahedron\n",
                      output.empty() ? "counted" : output,
                      counted(account.tetrahedra, "tetrahedron", "tetrahedra"),
                      counted(account.points, "point", "points"),
-                     counted(account.duplicates, "duplicate", "duplicates"), account.seconds,
+                     counted(account.duplicates, "duplicate", "duplicates"),
+                     is_weighted ? fmt::format(", {} hidden", account.hidden) : "", account.seconds,
                      counted(static_cast<std::size_t>(account.threads), "thread", "threads"),
                      account.bytes_per_tetrahedron);
 }
@@ -54,10 +56,14 @@ ExitCode mesh_delaunay(const MeshDelaunayOptions& options) {
   if (!are_distinct({options.input, options.output, {}}, "POINTS", "mesh delaunay"))
     return ExitCode::usage;
   if (!options.output.empty()) expect_tetrahedra_writable(options.output);
-  const std::vector<mesh::Point> points = io::read_points(options.input);
+  const auto [points, weights] = options.weights
+                                     ? io::read_weighted_points(options.input)
+                                     : mesh::WeightedPoints{io::read_points(options.input), {}};
   const int threads = parallel::threads_or_all(options.threads);
   const double start = seconds();
-  const delaunay::Triangulation triangulation(points, {.threads = threads});
+  const delaunay::Triangulation triangulation =
+      options.weights ? delaunay::Triangulation(points, weights, {.threads = threads})
+                      : delaunay::Triangulation(points, {.threads = threads});
   const double elapsed = seconds() - start;
   if (triangulation.dimension() < 3) {
     say(fmt::format("{}: degenerate, {}: no tetrahedron has them for vertices",
@@ -68,6 +74,7 @@ ExitCode mesh_delaunay(const MeshDelaunayOptions& options) {
   Account account;
   account.points = points.size();
   account.duplicates = triangulation.duplicates();
+  account.hidden = triangulation.hidden().size();
   account.tetrahedra = triangulation.size();
   account.seconds = elapsed;
   account.threads = threads;
@@ -75,7 +82,8 @@ ExitCode mesh_delaunay(const MeshDelaunayOptions& options) {
       static_cast<double>(triangulation.bytes()) / static_cast<double>(account.tetrahedra);
   if (!options.output.empty())
     write_tetrahedra(options.output, {points, triangulation.tetrahedra()});
-  tell(options.output, options.json ? json_line(account) : summary(account, options.output));
+  tell(options.output,
+       options.json ? json_line(account) : summary(account, options.output, options.weights));
   return ExitCode::yes;
 }
 

@@ -30,6 +30,8 @@ std::string name_of(Content content) {
   switch (content) {
     case Content::points:
       return "points";
+    case Content::weighted_points:
+      return "points with weights";
     case Content::surface:
       return "surfaces";
     case Content::tetrahedra:
@@ -92,9 +94,10 @@ bool holds(FileFormat format, Content content) {
     case FileFormat::vtu:
     case FileFormat::medit:
     case FileFormat::gmsh:
-      return true;
+      return content != Content::weighted_points;
     case FileFormat::xyz:
     case FileFormat::raw:
+      return content == Content::points || content == Content::weighted_points;
     case FileFormat::ply:
       return content == Content::points;
     case FileFormat::hxtet:

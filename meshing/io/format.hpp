@@ -19,19 +19,27 @@ enum class FileFormat : std::uint8_t {
   vtu,    ///< VTK XML unstructured grid .vtu
   medit,  ///< MEDIT .mesh, ASCII
   gmsh,   ///< Gmsh .msh 2.2 and 4.1
-  xyz,    ///< lines of three coordinates .xyz: points only
-  raw,    ///< coordinates in binary .bin: points only
+  xyz,    ///< lines of coordinates .xyz: points only, with weights too
+  raw,    ///< coordinates in binary .bin: points only, with weights too
   ply,    ///< .ply, ASCII and little-endian binary: its points only
   hxtet,  ///< tetrahedra in binary .hxtet
 };
 
 /// What a caller wants of a file, or puts into it.
-enum class Content : std::uint8_t { points, surface, tetrahedra, hexahedra, hybrid };
+enum class Content : std::uint8_t {
+  points,
+  weighted_points,
+  surface,
+  tetrahedra,
+  hexahedra,
+  hybrid
+};
 
 /// The extension of the format, with its dot.
 [[nodiscard]] std::string_view extension_of(FileFormat format);
 
-/// Whether files of this format are read and written (points: read) with such content.
+/// Whether files of this format are read and written (points, weighted or not: read) with such
+/// content.
 [[nodiscard]] bool holds(FileFormat format, Content content);
 [[nodiscard]] inline bool holds_hexahedra(FileFormat format) {
   return holds(format, Content::hexahedra);

@@ -96,6 +96,7 @@ void MeshBuilder::check_kind(const CellType& type, std::size_t line) const {
 bool MeshBuilder::is_passed_over(const CellType& type) const {
   switch (wanted_) {
     case Wanted::points:
+    case Wanted::weighted_points:
       return true;
     case Wanted::tet_model:
       return type.shape == CellShape::low || (is_a_facet(type) && !is_a_triangle(type));
@@ -214,6 +215,10 @@ mesh::TetModel MeshBuilder::take_tet_model() {
 std::vector<mesh::Point> MeshBuilder::take_points() {
   check_indices();
   return std::move(points_);
+}
+
+mesh::WeightedPoints MeshBuilder::take_weighted_points() {
+  return {std::move(points_), std::move(weights_)};
 }
 
 mesh::HexMesh MeshBuilder::take_hexahedra() {

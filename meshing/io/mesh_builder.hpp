@@ -21,6 +21,7 @@ namespace hexatlas::io {
 
 enum class Wanted : std::uint8_t {
   points,
+  weighted_points,
   surface,
   facets,
   tetrahedra,
@@ -38,6 +39,8 @@ class MeshBuilder {
   void reserve_cells(const CellType& type, std::size_t count);
 
   void add_point(const mesh::Point& point, std::size_t line);
+  /// Of the last point. Where weights are wanted, each point has one.
+  void add_weight(double weight) { weights_.push_back(weight); }
 
   /// Keeps, ignores or refuses the cell; indices count from 0. `reference`: of what the cell is a
   /// part, where the format says so for every cell.
@@ -58,6 +61,7 @@ class MeshBuilder {
 
   /// The points, also if there are none.
   [[nodiscard]] std::vector<mesh::Point> take_points();
+  [[nodiscard]] mesh::WeightedPoints take_weighted_points();
 
  private:
   [[noreturn]] void fail(std::size_t line, const std::string& reason) const;
@@ -79,6 +83,7 @@ class MeshBuilder {
   std::string file_;
   int index_base_;
   std::vector<mesh::Point> points_;
+  std::vector<double> weights_;  ///< of the points
   std::vector<std::array<mesh::Index, 4>> quads_;
   std::vector<std::uint32_t> quad_line_;
   std::vector<mesh::Facet> facets_;

@@ -20,6 +20,8 @@ Content content_of(Wanted wanted) {
   switch (wanted) {
     case Wanted::points:
       return Content::points;
+    case Wanted::weighted_points:
+      return Content::weighted_points;
     case Wanted::surface:
     case Wanted::facets:
       return Content::surface;
@@ -93,6 +95,11 @@ std::vector<mesh::Point> parse_points(std::string_view bytes, FileFormat format,
   return parse(bytes, format, file, Wanted::points).take_points();
 }
 
+mesh::WeightedPoints parse_weighted_points(std::string_view bytes, FileFormat format,
+                                           const std::string& file) {
+  return parse(bytes, format, file, Wanted::weighted_points).take_weighted_points();
+}
+
 mesh::SurfaceMesh parse_surface(std::string_view bytes, FileFormat format,
                                 const std::string& file) {
   return parse(bytes, format, file, Wanted::surface).take_surface();
@@ -120,6 +127,11 @@ mesh::HybridMesh parse_hybrid(std::string_view bytes, FileFormat format, const s
 
 std::vector<mesh::Point> read_points(const std::string& path, std::optional<FileFormat> format) {
   return load(path, format, Wanted::points).take_points();
+}
+
+mesh::WeightedPoints read_weighted_points(const std::string& path,
+                                          std::optional<FileFormat> format) {
+  return load(path, format, Wanted::weighted_points).take_weighted_points();
 }
 
 mesh::SurfaceMesh read_surface(const std::string& path, std::optional<FileFormat> format) {

@@ -54,6 +54,10 @@ namespace hexatlas::io {
 [[nodiscard]] std::vector<mesh::Point> parse_points(std::string_view bytes, FileFormat format,
                                                     const std::string& file);
 
+/// The same with a weight for each point, the fourth number (.xyz .bin).
+[[nodiscard]] mesh::WeightedPoints parse_weighted_points(std::string_view bytes, FileFormat format,
+                                                         const std::string& file);
+
 /// The quads in these bytes; `file` is the name used in messages. Each quad has its line, 0 in
 /// binary files.
 [[nodiscard]] mesh::SurfaceMesh parse_surface(std::string_view bytes, FileFormat format,
@@ -85,6 +89,8 @@ namespace hexatlas::io {
 /// for standard input, that of the first bytes, which .bin does not announce.
 [[nodiscard]] std::vector<mesh::Point> read_points(const std::string& path,
                                                    std::optional<FileFormat> format = {});
+[[nodiscard]] mesh::WeightedPoints read_weighted_points(const std::string& path,
+                                                        std::optional<FileFormat> format = {});
 [[nodiscard]] mesh::SurfaceMesh read_surface(const std::string& path,
                                              std::optional<FileFormat> format = {});
 [[nodiscard]] mesh::FacetMesh read_facets(const std::string& path,

@@ -1,4 +1,4 @@
-// Points alone: .xyz, lines of three coordinates, and .bin, coordinates in binary
+// Points alone: .xyz, lines of coordinates, and .bin, coordinates in binary, both also with weights
 // (docs/formats/points.md). And .hxtet, whose points come first (docs/formats/hxtet.md).
 #include <algorithm>
 #include <array>
@@ -15,10 +15,15 @@
 namespace hexatlas::io {
 namespace {
 
-constexpr std::size_t kPointBytes = 3 * sizeof(double);
+bool wants_weights(const MeshBuilder& builder) {
+  return builder.wanted() == Wanted::weighted_points;
+}
 
-/// The points in these bytes, whose number is bytes.size() / kPointBytes.
+/// The points in these bytes, kNumbers doubles each: a fourth one is the weight.
+template <std::size_t kNumbers>
 void read_coordinates(std::string_view bytes, MeshBuilder& builder) {
+  static_assert(kNumbers == 3 || kNumbers == 4);
+  constexpr std::size_t kPointBytes = kNumbers * sizeof(double);
   const std::size_t count = bytes.size() / kPointBytes;
   if (count > mesh::kMostPoints)
     throw core::InvalidInput(builder.file(), std::to_string(count) + " points; at most " +
@@ -26,40 +31,57 @@ void read_coordinates(std::string_view bytes, MeshBuilder& builder) {
                                                  " are possible");
   builder.reserve_points(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto xyz = load_little<std::array<double, 3>>(bytes.substr(i * kPointBytes));
-    if (!std::all_of(xyz.begin(), xyz.end(), [](double x) { return std::isfinite(x); }))
-      throw core::InvalidInput(
-          builder.file(), "point " + std::to_string(i) +
-                              ", counted from 0, has a coordinate that is not a finite number");
-    builder.add_point({xyz[0], xyz[1], xyz[2]}, 0);
+    const auto numbers = load_little<std::array<double, kNumbers>>(bytes.substr(i * kPointBytes));
+    const auto* const bad =
+        std::find_if(numbers.begin(), numbers.end(), [](double x) { return !std::isfinite(x); });
+    if (bad != numbers.end())
+      throw core::InvalidInput(builder.file(),
+                               "point " + std::to_string(i) + ", counted from 0, has a " +
+                                   (bad - numbers.begin() < 3 ? "coordinate" : "weight") +
+                                   " that is not a finite number");
+    builder.add_point({numbers[0], numbers[1], numbers[2]}, 0);
+    if constexpr (kNumbers == 4) builder.add_weight(numbers[3]);
   }
+}
+
+template <std::size_t kNumbers>
+void read_whole(std::string_view bytes, MeshBuilder& builder) {
+  constexpr std::size_t kPointBytes = kNumbers * sizeof(double);
+  if (bytes.size() % kPointBytes != 0)
+    throw core::InvalidInput(
+        builder.file(), "has " + std::to_string(bytes.size()) +
+                            " bytes, which is not a multiple of " + std::to_string(kPointBytes) +
+                            ", " + (kNumbers == 4 ? "four" : "three") + " doubles per point");
+  read_coordinates<kNumbers>(bytes, builder);
 }
 
 }  // namespace
 
 void read_xyz(std::string_view bytes, MeshBuilder& builder) {
   constexpr std::size_t kLeastLine = 6;  // "0 0 0" and the end of the line
+  const std::size_t columns = wants_weights(builder) ? 4 : 3;
   Scanner scanner(bytes, builder.file(), '#');
   scanner.refuse_nul();
   const auto lines = static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n'));
   builder.reserve_points(std::min(lines, bytes.size() / kLeastLine) + 1);
   std::vector<std::string_view> words;
   while (scanner.next_line(words)) {
-    if (words.size() < 3)
+    if (words.size() < columns)
       scanner.fail("line of " + std::to_string(words.size()) +
-                   (words.size() == 1 ? " column" : " columns") + "; x y z are expected");
+                   (words.size() == 1 ? " column" : " columns") + "; x y z " +
+                   (columns == 4 ? "weight " : "") + "are expected");
     builder.add_point(
         {scanner.to_real(words[0]), scanner.to_real(words[1]), scanner.to_real(words[2])},
         scanner.line());
+    if (columns == 4) builder.add_weight(scanner.to_real(words[3]));
   }
 }
 
 void read_raw(std::string_view bytes, MeshBuilder& builder) {
-  if (bytes.size() % kPointBytes != 0)
-    throw core::InvalidInput(builder.file(),
-                             "has " + std::to_string(bytes.size()) +
-                                 " bytes, which is not a multiple of 24, three doubles per point");
-  read_coordinates(bytes, builder);
+  if (wants_weights(builder))
+    read_whole<4>(bytes, builder);
+  else
+    read_whole<3>(bytes, builder);
 }
 
 void read_hxtet(std::string_view bytes, MeshBuilder& builder) {
@@ -74,7 +96,7 @@ void read_hxtet(std::string_view bytes, MeshBuilder& builder) {
   if (points > bytes.size() / kHxtetPointBytes)
     fail("count " + std::to_string(points) + " of points is too large: only " +
          std::to_string(bytes.size()) + " bytes follow");
-  read_coordinates(bytes.substr(0, points * kHxtetPointBytes), builder);
+  read_coordinates<3>(bytes.substr(0, points * kHxtetPointBytes), builder);
   bytes.remove_prefix(points * kHxtetPointBytes);
   if (bytes.size() % kHxtetTetrahedronBytes != 0 ||
       tetrahedra != bytes.size() / kHxtetTetrahedronBytes)

@@ -25,6 +25,12 @@ using Index = std::uint32_t;  ///< of a point, from 0
 /// Readers refuse more; the two largest values of Index name no point.
 inline constexpr std::uint64_t kMostPoints = 0xFFFF'FFFE;
 
+/// Each point with its weight, of the dimension of squared lengths.
+struct WeightedPoints {
+  std::vector<Point> points;
+  std::vector<double> weights;
+};
+
 /// Quads as read from a file: any orientation, any topology, each index below points.size().
 struct SurfaceMesh {
   std::vector<Point> points;

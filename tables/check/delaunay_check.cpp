@@ -11,20 +11,8 @@ namespace hexatlas::check {
 
 namespace {
 
-std::string tetrahedron(const TetrahedralMesh& mesh, std::size_t t) {
-  return "tetrahedron " + std::to_string(t) + " " + listed(mesh.tetrahedra[t]);
-}
-
-std::vector<bool> used_points(const TetrahedralMesh& mesh) {
-  std::vector<bool> used(mesh.points.size(), false);
-  for (const Tetrahedron& cell : mesh.tetrahedra) {
-    for (const std::uint32_t vertex : cell) used[vertex] = true;
-  }
-  return used;
-}
-
 DelaunayFinding broken_law(const TetrahedralMesh& mesh, const std::vector<Point>* given,
-                           Signs& signs, DelaunayVerdict& verdict) {
+                           Weights weights, Signs& signs, DelaunayVerdict& verdict) {
   DelaunayFinding found = check_corners(mesh);
   if (!found) found = check_positive(mesh, signs);
   if (found) return found;
@@ -38,14 +26,45 @@ DelaunayFinding broken_law(const TetrahedralMesh& mesh, const std::vector<Point>
   const std::uint32_t base = base_tetrahedron(mesh);
   found = check_no_folds(mesh, facets, base, signs);
   if (!found) found = check_covered_once(mesh, base, signs);
-  if (!found) found = check_unused_points(mesh, verdict);
-  if (!found) found = check_empty_spheres(mesh, facets, signs, verdict);
   if (!found && given != nullptr) found = check_given_points(mesh, *given);
+  if (!found) {
+    found = weights == nullptr ? check_unused_points(mesh, verdict)
+                               : check_hidden_points(mesh, *weights, signs, verdict);
+  }
+  if (!found) found = check_empty_spheres(mesh, weights, facets, signs, verdict);
   verdict.facets = facets.interior.size() + facets.boundary.size();
   return found;
 }
 
+DelaunayVerdict judged(const TetrahedralMesh& mesh, const std::vector<Point>* given,
+                       Weights weights) {
+  DelaunayVerdict verdict;
+  verdict.points = mesh.points.size();
+  verdict.tetrahedra = mesh.tetrahedra.size();
+  Signs signs;
+  const DelaunayFinding found = broken_law(mesh, given, weights, signs, verdict);
+  verdict.accepted = !found;
+  if (found) {
+    verdict.broken = found->law;
+    verdict.reason = found->reason;
+  }
+  verdict.signs = signs.counts();
+  return verdict;
+}
+
 }  // namespace
+
+std::string name_of(const TetrahedralMesh& mesh, std::size_t tetrahedron) {
+  return "tetrahedron " + std::to_string(tetrahedron) + " " + listed(mesh.tetrahedra[tetrahedron]);
+}
+
+std::vector<bool> used_points(const TetrahedralMesh& mesh) {
+  std::vector<bool> used(mesh.points.size(), false);
+  for (const Tetrahedron& cell : mesh.tetrahedra) {
+    for (const std::uint32_t vertex : cell) used[vertex] = true;
+  }
+  return used;
+}
 
 DelaunayFinding check_corners(const TetrahedralMesh& mesh) {
   if (mesh.tetrahedra.empty()) {
@@ -56,11 +75,11 @@ DelaunayFinding check_corners(const TetrahedralMesh& mesh) {
     std::sort(sorted.begin(), sorted.end());
     if (sorted.back() >= mesh.points.size()) {
       return DelaunayFailure{DelaunayLaw::kCorners,
-                             tetrahedron(mesh, t) + " has a vertex that is not among the " +
+                             name_of(mesh, t) + " has a vertex that is not among the " +
                                  std::to_string(mesh.points.size()) + " points"};
     }
     if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
-      return DelaunayFailure{DelaunayLaw::kCorners, tetrahedron(mesh, t) + " has a vertex twice"};
+      return DelaunayFailure{DelaunayLaw::kCorners, name_of(mesh, t) + " has a vertex twice"};
     }
   }
   return std::nullopt;
@@ -72,9 +91,8 @@ DelaunayFinding check_positive(const TetrahedralMesh& mesh, Signs& signs) {
     const int sign = signs.orientation(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]],
                                        mesh.points[v[3]]);
     if (sign > 0) continue;
-    return DelaunayFailure{
-        DelaunayLaw::kPositive,
-        tetrahedron(mesh, t) + (sign == 0 ? " is flat" : " is negatively oriented")};
+    return DelaunayFailure{DelaunayLaw::kPositive,
+                           name_of(mesh, t) + (sign == 0 ? " is flat" : " is negatively oriented")};
   }
   return std::nullopt;
 }
@@ -135,18 +153,27 @@ DelaunayFinding check_unused_points(const TetrahedralMesh& mesh, DelaunayVerdict
   return std::nullopt;
 }
 
-DelaunayFinding check_empty_spheres(const TetrahedralMesh& mesh, const Facets& facets, Signs& signs,
-                                    DelaunayVerdict& verdict) {
+int side_of_sphere(const TetrahedralMesh& mesh, Weights weights, const Tetrahedron& cell,
+                   std::uint32_t vertex, Signs& signs) {
+  const auto& [a, b, c, d] = cell;
+  const std::vector<Point>& p = mesh.points;
+  if (weights == nullptr) return signs.in_sphere(p[a], p[b], p[c], p[d], p[vertex]);
+  const std::vector<double>& w = *weights;
+  return signs.in_orthosphere(p[a], p[b], p[c], p[d], p[vertex],
+                              {w[a], w[b], w[c], w[d], w[vertex]});
+}
+
+DelaunayFinding check_empty_spheres(const TetrahedralMesh& mesh, Weights weights,
+                                    const Facets& facets, Signs& signs, DelaunayVerdict& verdict) {
   for (const auto& [a, b] : facets.interior) {
-    const Tetrahedron& v = mesh.tetrahedra[a / 4];
     const std::uint32_t apex = apex_of(mesh.tetrahedra, b);
-    const int sign = signs.in_sphere(mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]],
-                                     mesh.points[v[3]], mesh.points[apex]);
+    const int sign = side_of_sphere(mesh, weights, mesh.tetrahedra[a / 4], apex, signs);
     if (sign == 0) ++verdict.cospherical;
     if (sign <= 0) continue;
-    return DelaunayFailure{
-        DelaunayLaw::kEmptySpheres,
-        "point " + std::to_string(apex) + " is inside the sphere of " + tetrahedron(mesh, a / 4)};
+    return DelaunayFailure{DelaunayLaw::kEmptySpheres, "point " + std::to_string(apex) +
+                                                           " is inside the " +
+                                                           (weights == nullptr ? "" : "ortho") +
+                                                           "sphere of " + name_of(mesh, a / 4)};
   }
   return std::nullopt;
 }
@@ -165,26 +192,19 @@ DelaunayFinding check_given_points(const TetrahedralMesh& mesh, const std::vecto
 }
 
 const char* name_of(DelaunayLaw law) {
-  constexpr std::array<const char*, 13> kNames = {
+  constexpr std::array<const char*, 14> kNames = {
       "none",         "corners",          "positive",     "two-tetrahedra", "opposite-sides",
       "connected",    "boundary-surface", "convex-edges", "no-folds",       "covered-once",
-      "unused-point", "empty-spheres",    "given-points"};
+      "given-points", "unused-point",     "hidden-point", "empty-spheres"};
   return kNames[static_cast<std::size_t>(law)];
 }
 
 DelaunayVerdict check_delaunay(const TetrahedralMesh& mesh, const std::vector<Point>* given) {
-  DelaunayVerdict verdict;
-  verdict.points = mesh.points.size();
-  verdict.tetrahedra = mesh.tetrahedra.size();
-  Signs signs;
-  const DelaunayFinding found = broken_law(mesh, given, signs, verdict);
-  verdict.accepted = !found;
-  if (found) {
-    verdict.broken = found->law;
-    verdict.reason = found->reason;
-  }
-  verdict.signs = signs.counts();
-  return verdict;
+  return judged(mesh, given, nullptr);
+}
+
+DelaunayVerdict check_regular(const TetrahedralMesh& mesh, const WeightedPoints& given) {
+  return judged(mesh, &given.points, &given.weights);
 }
 
 }  // namespace hexatlas::check

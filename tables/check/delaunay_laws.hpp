@@ -46,8 +46,19 @@ struct HullEdge {
                                                  Signs& signs);
 [[nodiscard]] DelaunayFinding check_unused_points(const TetrahedralMesh& mesh,
                                                   DelaunayVerdict& verdict);
-[[nodiscard]] DelaunayFinding check_empty_spheres(const TetrahedralMesh& mesh, const Facets& facets,
-                                                  Signs& signs, DelaunayVerdict& verdict);
+/// The weights of the points, or null, if there are none: then check_unused_points() holds instead.
+using Weights = const std::vector<double>*;
+[[nodiscard]] DelaunayFinding check_hidden_points(const TetrahedralMesh& mesh,
+                                                  const std::vector<double>& weights, Signs& signs,
+                                                  DelaunayVerdict& verdict);
+/// The sign of the vertex, inside the sphere of the tetrahedron or outside.
+[[nodiscard]] int side_of_sphere(const TetrahedralMesh& mesh, Weights weights,
+                                 const Tetrahedron& cell, std::uint32_t vertex, Signs& signs);
+[[nodiscard]] DelaunayFinding check_empty_spheres(const TetrahedralMesh& mesh, Weights weights,
+                                                  const Facets& facets, Signs& signs,
+                                                  DelaunayVerdict& verdict);
+[[nodiscard]] std::vector<bool> used_points(const TetrahedralMesh& mesh);
+[[nodiscard]] std::string name_of(const TetrahedralMesh& mesh, std::size_t tetrahedron);
 [[nodiscard]] DelaunayFinding check_given_points(const TetrahedralMesh& mesh,
                                                  const std::vector<Point>& given);
 

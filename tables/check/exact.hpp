@@ -67,9 +67,18 @@ inline Parts parts_of(double value) {
   return {fraction | std::uint64_t{1} << kFraction, biased - 1075};
 }
 
-/// The points as integers, multiplied by a power of two that they share.
+/// value 2^-unit. Requires that this is an integer, and unit no more than the exponent.
+inline mpz_class as_integer(double value, int unit) {
+  const Parts parts = parts_of(value);
+  if (parts.mantissa == 0) return 0;
+  mpz_class integer = static_cast<unsigned long>(parts.mantissa);
+  integer <<= static_cast<mp_bitcnt_t>(parts.exponent - unit);
+  return value < 0 ? mpz_class(-integer) : integer;
+}
+
+/// The least exponent of a coordinate that is not zero; the greatest integer if there is none.
 template <std::size_t kCount>
-std::array<Vector<mpz_class>, kCount> as_integers(const std::array<const Point*, kCount>& points) {
+int unit_of(const std::array<const Point*, kCount>& points) {
   int unit = std::numeric_limits<int>::max();
   for (const Point* point : points) {
     for (const double value : *point) {
@@ -77,19 +86,25 @@ std::array<Vector<mpz_class>, kCount> as_integers(const std::array<const Point*,
       if (parts.mantissa != 0) unit = std::min(unit, parts.exponent);
     }
   }
+  return unit;
+}
+
+/// The points as integers, multiplied by 2^-unit. Requires a unit that is at most unit_of(points).
+template <std::size_t kCount>
+std::array<Vector<mpz_class>, kCount> as_integers(const std::array<const Point*, kCount>& points,
+                                                  int unit) {
   std::array<Vector<mpz_class>, kCount> integers;
   for (std::size_t i = 0; i < kCount; ++i) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double value = (*points[i])[axis];
-      const Parts parts = parts_of(value);
-      if (parts.mantissa == 0) continue;
-      mpz_class& integer = integers[i][axis];
-      integer = static_cast<unsigned long>(parts.mantissa);
-      integer <<= static_cast<mp_bitcnt_t>(parts.exponent - unit);
-      if (value < 0) integer = -integer;
+      integers[i][axis] = as_integer((*points[i])[axis], unit);
     }
   }
   return integers;
+}
+
+template <std::size_t kCount>
+std::array<Vector<mpz_class>, kCount> as_integers(const std::array<const Point*, kCount>& points) {
+  return as_integers(points, unit_of(points));
 }
 
 }  // namespace hexatlas::check

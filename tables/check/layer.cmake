@@ -9,7 +9,7 @@ hexatlas_layer(tables/check
   SOURCES ball.cpp bound.cpp bound_file.cpp bound_rules.cpp bound_sphere.cpp bound_state.cpp canonical_form.cpp catalogue_laws.cpp catalogue_points.cpp catalogue_read.cpp
     cell_laws.cpp chirotope_clauses.cpp jacobian.cpp refutation.cpp shelling.cpp text_lines.cpp
     triangulation_laws.cpp zstd_frame.cpp completeness.cpp completeness_file.cpp completeness_rules.cpp
-    completeness_shapes.cpp delaunay_check.cpp delaunay_hull.cpp edge_lemma.cpp file_bytes.cpp hybrid_boundary.cpp hybrid_cells.cpp hybrid_check.cpp hybrid_laws.cpp incidence.cpp judge_cells.cpp laws.cpp links.cpp lrat.cpp
+    completeness_shapes.cpp delaunay_check.cpp delaunay_hidden.cpp delaunay_hull.cpp edge_lemma.cpp file_bytes.cpp hybrid_boundary.cpp hybrid_cells.cpp hybrid_check.cpp hybrid_laws.cpp incidence.cpp judge_cells.cpp laws.cpp links.cpp lrat.cpp
     mesh_check.cpp payload.cpp quad_code.cpp rooted_count.cpp read_gmsh.cpp read_legacy_vtk.cpp read_medit.cpp read_mesh.cpp
     read_ply.cpp read_points.cpp read_polygons.cpp read_vtu.cpp scanner.cpp sectors.cpp sha256.cpp signs.cpp table_check.cpp table_layout.cpp
     tetrahedron_facets.cpp vtu_data.cpp

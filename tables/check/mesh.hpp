@@ -53,6 +53,12 @@ using Prism = std::array<std::uint32_t, 6>;
 /// det(1 - 0, 3 - 0, 4 - 0) > 0.
 using Pyramid = std::array<std::uint32_t, 5>;
 
+/// Each point with its weight.
+struct WeightedPoints {
+  std::vector<Point> points;
+  std::vector<double> weights;
+};
+
 struct Surface {
   std::vector<Point> points;
   std::vector<Quad> quads;
@@ -84,6 +90,8 @@ struct HybridMesh {
 [[nodiscard]] TetrahedralMesh read_tetrahedra(const std::filesystem::path& path);
 /// The points of a file of points, or of a mesh of any known cells.
 [[nodiscard]] std::vector<Point> read_points(const std::filesystem::path& path);
+/// Points with a fourth number each, the weight: .xyz or .bin.
+[[nodiscard]] WeightedPoints read_weighted_points(const std::filesystem::path& path);
 
 /// The same for bytes in memory; the format is that of the ending of `name`, or of the first
 /// bytes; `name` also opens each message.
@@ -92,5 +100,6 @@ struct HybridMesh {
 [[nodiscard]] HybridMesh parse_hybrid(const std::string& name, std::string_view bytes);
 [[nodiscard]] TetrahedralMesh parse_tetrahedra(const std::string& name, std::string_view bytes);
 [[nodiscard]] std::vector<Point> parse_points(const std::string& name, std::string_view bytes);
+[[nodiscard]] WeightedPoints parse_weighted_points(const std::string& name, std::string_view bytes);
 
 }  // namespace hexatlas::check

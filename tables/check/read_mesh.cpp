@@ -139,6 +139,15 @@ std::vector<Point> parse_points(const std::string& name, std::string_view bytes)
   return parse_draft(name, bytes, Wanted::kPoints).points;
 }
 
+WeightedPoints parse_weighted_points(const std::string& name, std::string_view bytes) {
+  const std::string format = format_of(name, bytes);
+  if (format == ".bin") return parse_weighted_bin(name, bytes);
+  if (format == ".xyz" || (ending(name).empty() && format == ".obj")) {
+    return parse_weighted_xyz(name, bytes);
+  }
+  throw Malformed(name, 0, "a file of points with weights ends in .xyz or .bin");
+}
+
 Surface parse_surface(const std::string& name, std::string_view bytes) {
   const std::string format = format_of(name, bytes);
   if (format == ".obj") return parse_obj(name, bytes);
@@ -162,6 +171,10 @@ HybridMesh read_hybrid(const std::filesystem::path& path) {
 
 TetrahedralMesh read_tetrahedra(const std::filesystem::path& path) {
   return parse_tetrahedra(name_of_file(path), bytes_of_file(path));
+}
+
+WeightedPoints read_weighted_points(const std::filesystem::path& path) {
+  return parse_weighted_points(name_of_file(path), bytes_of_file(path));
 }
 
 std::vector<Point> read_points(const std::filesystem::path& path) {

@@ -1,4 +1,5 @@
 // Files without words for cells: raw meshes of tetrahedra, and points alone.
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -17,6 +18,7 @@ namespace {
 constexpr std::string_view kMagic("HXTET\0\0\1", 8);
 constexpr std::size_t kHeader = 24;
 constexpr std::uint64_t kPointBytes = 3 * sizeof(double);
+constexpr std::uint64_t kWeightedBytes = 4 * sizeof(double);
 constexpr std::uint64_t kTetrahedronBytes = 4 * sizeof(std::uint32_t);
 
 /// Whole points from the beginning of `bytes`.
@@ -92,6 +94,37 @@ std::vector<Point> parse_bin(const std::string& name, std::string_view bytes) {
     throw Malformed(name, 0, "the size of the file is no multiple of 24 bytes");
   }
   return raw_points(name, bytes, bytes.size() / kPointBytes);
+}
+
+WeightedPoints parse_weighted_xyz(const std::string& name, std::string_view bytes) {
+  Scanner in(name, bytes, '#');
+  WeightedPoints result;
+  for (auto words = in.line_of_words(); !words.empty(); words = in.line_of_words()) {
+    if (words.size() != 4) in.fail("a line has not four numbers");
+    result.points.push_back(
+        {in.real_from(words[0]), in.real_from(words[1]), in.real_from(words[2])});
+    result.weights.push_back(in.real_from(words[3]));
+  }
+  return result;
+}
+
+WeightedPoints parse_weighted_bin(const std::string& name, std::string_view bytes) {
+  if (bytes.size() % kWeightedBytes != 0) {
+    throw Malformed(name, 0, "the size of the file is no multiple of 32 bytes");
+  }
+  WeightedPoints result;
+  for (; !bytes.empty(); bytes.remove_prefix(kWeightedBytes)) {
+    std::array<double, 4> numbers{};
+    std::memcpy(numbers.data(), bytes.data(), kWeightedBytes);
+    for (const double value : numbers) {
+      if (std::isfinite(value)) continue;
+      throw Malformed(
+          name, 0, "a number of point " + std::to_string(result.points.size()) + " is not finite");
+    }
+    result.points.push_back({numbers[0], numbers[1], numbers[2]});
+    result.weights.push_back(numbers[3]);
+  }
+  return result;
 }
 
 }  // namespace hexatlas::check

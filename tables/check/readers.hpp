@@ -74,6 +74,8 @@ class Draft {
 [[nodiscard]] bool begins_like_hxtet(std::string_view bytes);
 [[nodiscard]] std::vector<Point> parse_xyz(const std::string& name, std::string_view bytes);
 [[nodiscard]] std::vector<Point> parse_bin(const std::string& name, std::string_view bytes);
+[[nodiscard]] WeightedPoints parse_weighted_xyz(const std::string& name, std::string_view bytes);
+[[nodiscard]] WeightedPoints parse_weighted_bin(const std::string& name, std::string_view bytes);
 [[nodiscard]] std::vector<Point> parse_ply(const std::string& name, std::string_view bytes);
 /// The points alone; records of anything else are not looked at.
 [[nodiscard]] std::vector<Point> parse_obj_points(const std::string& name, std::string_view bytes);

@@ -20,6 +20,13 @@
 // what is left between 408.3 u and 512 u, and between 48.1 u and 64 u. Nothing overflows, since
 // 72 * 2^750 is finite. QED
 //
+// Orthospheres. Let also V bound the absolute values of the computed differences of weights, at
+// most 2^300. Then the computed value differs from the true one by less than 2^-44 fl(XYZ (XX + YY
+// + ZZ + V)). For the sum of squares less a difference of weights has one operation more, hence at
+// most 18 factors; the monomials are 24 in x y z, each times a sum of three squares and a weight:
+// at most 24 * 18.02 u XYZ (XX + YY + ZZ + V) < 432.5 u (...). Differences do not underflow, 96 *
+// 2^750 is finite, and the rest is as above. QED
+//
 // The second stage: with entries of at most B bits, minors have 2 B + 1 and sums of squares
 // 2 B + 2 bits, at most 63 for B = 30; orientations have 3 B + 3 bits; for spheres the sum is at
 // most 4 * 6 * 3 * 2^(5B) < 2^(5B + 7), at most 127 bits for B = 24. Orientations with B = 31 need
@@ -31,6 +38,7 @@
 #include <bit>
 #include <cfloat>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "tables/check/exact.hpp"
@@ -48,9 +56,15 @@ Small square(const Vector<Small>& v) {
   return v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
 }
 
-/// Minus the determinant of the rows (v, |v|^2), expanded by the last column.
+template <class Small>
+std::array<Small, 4> squares(const std::array<Vector<Small>, 4>& v) {
+  return {square(v[0]), square(v[1]), square(v[2]), square(v[3])};
+}
+
+/// Minus the determinant of the rows (v, height), expanded by the last column.
 template <class Large, class Small>
-Large sphere_determinant(const std::array<Vector<Small>, 4>& v) {
+Large lifted_determinant(const std::array<Vector<Small>, 4>& v,
+                         const std::array<Small, 4>& height) {
   const Small ab = minor_of(v[0], v[1]);
   const Small ac = minor_of(v[0], v[2]);
   const Small ad = minor_of(v[0], v[3]);
@@ -62,7 +76,12 @@ Large sphere_determinant(const std::array<Vector<Small>, 4>& v) {
   const Large acd = z[0] * cd - z[2] * ad + z[3] * ac;
   const Large abd = z[0] * bd - z[1] * ad + z[3] * ab;
   const Large abc = z[0] * bc - z[1] * ac + z[2] * ab;
-  return (bcd * square(v[0]) - acd * square(v[1])) + (abd * square(v[2]) - abc * square(v[3]));
+  return (bcd * height[0] - acd * height[1]) + (abd * height[2] - abc * height[3]);
+}
+
+template <class Large, class Small>
+Large sphere_determinant(const std::array<Vector<Small>, 4>& v) {
+  return lifted_determinant<Large>(v, squares(v));
 }
 
 template <class Number>
@@ -171,6 +190,46 @@ int Signs::in_sphere(const Point& a, const Point& b, const Point& c, const Point
   }
   ++counts_.by_integers;
   return sign_of(sphere_determinant<mpz_class>(integer_differences<4>({&a, &b, &c, &d, &e})));
+}
+
+int Signs::in_orthosphere(const Point& a, const Point& b, const Point& c, const Point& d,
+                          const Point& e, const std::array<double, 5>& weights) {
+  if (std::adjacent_find(weights.begin(), weights.end(), std::not_equal_to<>()) == weights.end()) {
+    return in_sphere(a, b, c, d, e);
+  }
+  const std::array<Vector<double>, 4> v = {difference(a, e), difference(b, e), difference(c, e),
+                                           difference(d, e)};
+  const Vector<double> bounds = bounds_of(v);
+  std::array<double, 4> height = squares(v);
+  double most = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double weight = weights[i] - weights[4];
+    height[i] -= weight;
+    most = std::max(most, std::abs(weight));
+  }
+  if (are_moderate(bounds) && most <= 0x1p300) {
+    const double value = lifted_determinant<double>(v, height);
+    const double bound = 0x1p-44 * (bounds[0] * bounds[1] * bounds[2] * (square(bounds) + most));
+    if (std::abs(value) > bound) {
+      ++counts_.by_double;
+      return sign_of(value);
+    }
+  }
+  ++counts_.by_integers;
+  const std::array<const Point*, 5> points = {&a, &b, &c, &d, &e};
+  int unit = unit_of(points);
+  for (const double weight : weights) {
+    // Weights are multiples of the square of the unit.
+    if (weight != 0) unit = std::min(unit, parts_of(weight).exponent >> 1);
+  }
+  const auto places = as_integers(points, unit);
+  std::array<Vector<mpz_class>, 4> differences;
+  for (std::size_t i = 0; i < 4; ++i) differences[i] = difference(places[i], places[4]);
+  std::array<mpz_class, 4> heights = squares(differences);
+  for (std::size_t i = 0; i < 4; ++i) {
+    heights[i] += as_integer(weights[4], 2 * unit) - as_integer(weights[i], 2 * unit);
+  }
+  return sign_of(lifted_determinant<mpz_class>(differences, heights));
 }
 
 int Signs::orientation_of_centroid(const Point& a, const Point& b, const Point& c,

@@ -11,9 +11,11 @@
 ///    on lattices;
 /// 3. integers of GMP.
 ///
-/// Preconditions: finite coordinates, round to nearest. Errors: none. Cost: some 20 ns to 100 ns in
-/// the first two stages, microseconds in the third; it grows with the range of the exponents.
+/// Preconditions: finite coordinates and weights, round to nearest. Errors: none. Cost: some 20 ns
+/// to 100 ns in the first two stages, microseconds in the third; it grows with the range of the
+/// exponents.
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -38,6 +40,12 @@ class Signs {
   /// Requires orientation(a, b, c, d) > 0.
   [[nodiscard]] int in_sphere(const Point& a, const Point& b, const Point& c, const Point& d,
                               const Point& e);
+
+  /// The same with weights of a, b, c, d, e: positive if the power distance of e to the orthosphere
+  /// of a, b, c, d is less than the weight of e, so that e is below the affine function with the
+  /// values |p|^2 - weight at a, b, c, d; zero if it is on it. Without the second stage.
+  [[nodiscard]] int in_orthosphere(const Point& a, const Point& b, const Point& c, const Point& d,
+                                   const Point& e, const std::array<double, 5>& weights);
 
   /// orientation(a, b, c, m) with the centroid m of `points`. Always by GMP.
   [[nodiscard]] int orientation_of_centroid(const Point& a, const Point& b, const Point& c,

@@ -69,7 +69,7 @@ class DelaunayTest(program.ProgramTest):
         said = json.loads(self.expect(0, self.hexatlas("check", "--json", "--delaunay", "good.vtk")).out)
         self.assertEqual(said, {
             "accepted": True, "law": "none", "reason": "", "points": 5, "duplicates": 0,
-            "tetrahedra": 2, "facets": 7, "boundary_facets": 6, "boundary_vertices": 5,
+            "hidden": 0, "tetrahedra": 2, "facets": 7, "boundary_facets": 6, "boundary_vertices": 5,
             "cospherical": 0, "signs": said["signs"]})
         self.assertEqual(sorted(said["signs"]), ["by_double", "by_integers", "by_words"])
 
@@ -99,6 +99,34 @@ class DelaunayTest(program.ProgramTest):
                 ran = self.expect(1, self.hexatlas("check", "--delaunay", "good.vtk", "--points", name))
                 self.assertIn("rejected: given-points: ", ran.out)
 
+    def test_weights(self):
+        self.write("two.vtk", vtk(POINTS, CELLS))
+        self.write("three.hxtet", hxtet(POINTS, FLIPPED))
+        self.write("one.hxtet", hxtet(POINTS, CELLS[:1]))
+        for name, weights, accepted, law in (
+                ("two.vtk", (0, 0, 0, 0, 0), True, "none"), ("two.vtk", (-7, -7, -7, -7, -7), True, "none"),
+                ("three.hxtet", (0, 0, 0, 0, 0), False, "empty-spheres"),
+                ("two.vtk", (0, 0, 0, 20, 20), False, "empty-spheres"),
+                ("three.hxtet", (0, 0, 0, 20, 20), True, "none"),
+                ("one.hxtet", (0, 0, 0, -1e300, 0), False, "hidden-point")):
+            for points in ("w.xyz", "w.bin"):
+                with self.subTest(file=name, weights=weights, points=points):
+                    self.write("w.xyz", "".join("%s %s %s " % p + f"{w}\n" for p, w in zip(POINTS, weights)))
+                    self.write("w.bin", b"".join(struct.pack("<4d", *p, w) for p, w in zip(POINTS, weights)))
+                    ran = self.expect(0 if accepted else 1, self.hexatlas(
+                        "check", "--delaunay", name, "--points", points, "--weights", "--json"))
+                    self.assertEqual(json.loads(ran.out)["law"], law)
+        inside = POINTS + [(0, 0, 1)]
+        self.write("two.hxtet", hxtet(inside, CELLS))
+        for weight, accepted in ((-100, True), (100, False)):
+            self.write("w.xyz", "".join("%s %s %s " % p + f"{weight if p == (0, 0, 1) else 0}\n" for p in inside))
+            ran = self.expect(0 if accepted else 1, self.hexatlas(
+                "check", "--delaunay", "two.hxtet", "--points", "w.xyz", "--weights"))
+            self.assertIn("accepted: a regular triangulation, 2 tetrahedra, 6 points (0 of them duplicates, "
+                          "1 hidden)" if accepted else
+                          "rejected: hidden-point: point 5 is in no tetrahedron, but inside the orthosphere "
+                          "of tetrahedron 0", ran.out)
+
     def test_malformed(self):
         good = hxtet(POINTS, CELLS)
         self.write("good.hxtet", good)
@@ -117,6 +145,9 @@ class DelaunayTest(program.ProgramTest):
     def test_usage(self):
         self.write("good.hxtet", hxtet(POINTS, CELLS))
         self.expect(2, self.hexatlas("check", "good.hxtet", "--points", "good.hxtet"))
+        self.expect(2, self.hexatlas("check", "--delaunay", "good.hxtet", "--weights"))
+        self.expect_fault(self.hexatlas("check", "--delaunay", "good.hxtet", "--points", "good.hxtet",
+                                        "--weights"), "good.hxtet")
         for option in ("--boundary", "--completeness"):
             self.expect(2, self.hexatlas("check", "--delaunay", "good.hxtet", option, "good.hxtet"))
         self.expect_fault(self.hexatlas("check", "good.hxtet"), "good.hxtet")

@@ -87,6 +87,60 @@ class MeshDelaunayTest(program.ProgramTest):
                 self.assertEqual(account["duplicates"], len(points) - len(set(points)))
                 self.judged()
 
+    def test_weights(self):
+        half = uniform(3000)
+        for name, points in (
+                ("random", [p + (0.01 * CHANCE.random(),) for p in uniform(20000)]),
+                ("few heavy", [p + (CHANCE.random() < 0.01,) for p in uniform(3000)]),
+                ("none hidden", [p + (-3.5,) for p in half]),
+                ("negative", [p + (-CHANCE.random(),) for p in half]),
+                ("lattice", [p + (float(CHANCE.randrange(3)),) for p in grid(15)]),
+                ("flat", [p + (p[0] ** 2 + p[1] ** 2 + p[2] ** 2,) for p in grid(8)]),
+                ("nearly flat", [p + (p[0] ** 2 + p[1] ** 2 + p[2] ** 2,) for p in grid(8, 0.1)]),
+                ("same places", [p + (float(CHANCE.randrange(3)),) for p in grid(9) + grid(9)]),
+                ("all sizes", [p + (10.0 ** CHANCE.uniform(-300, 300),) for p in of_all_sizes(200)]),
+                ("all but four", [p + (0.0,) for p in half]
+                 + [(-9.0, -9.0, -9.0, 1e6), (99.0, -9.0, -9.0, 1e6), (-9.0, 99.0, -9.0, 1e6), (-9.0, -9.0, 99.0, 1e6)])):
+            with self.subTest(kind=name):
+                self.write("points.bin", b"".join(struct.pack("<4d", *p) for p in points))
+                meshes = []
+                for threads in ("1", "3"):
+                    ran = self.expect(0, self.hexatlas("mesh", "delaunay", "points.bin", "--weights", "-j", threads,
+                                                       "-o", "out.hxtet", "--json"))
+                    meshes.append(self.read("out.hxtet"))
+                self.assertEqual(meshes[0], meshes[1])
+                account = json.loads(ran.out)
+                judged = json.loads(self.expect(0, self.hexatlas(
+                    "check", "--delaunay", "out.hxtet", "--points", "points.bin", "--weights", "--json")).out)
+                for key in ("points", "duplicates", "hidden", "tetrahedra"):
+                    self.assertEqual(judged[key], account[key])
+                if name == "none hidden":
+                    self.meshed(half)
+                    self.assertEqual(self.read("out.hxtet"), meshes[0])
+                if name == "all but four":
+                    self.assertEqual((account["hidden"], account["tetrahedra"]), (3000, 1))
+        text = "".join("%r %r %r %r\n" % p for p in points)
+        self.write("points.xyz", text)
+        ran = self.expect(0, self.hexatlas("mesh", "delaunay", "points.xyz", "--weights"))
+        self.assertIn("counted: 1 tetrahedron of 3004 points, 0 duplicates, 3000 hidden", ran.out)
+
+    def test_what_has_no_weights(self):
+        self.write("points.xyz", "0 0 0 1\n1 0 0\n")
+        ran = self.expect(3, self.hexatlas("mesh", "delaunay", "points.xyz", "--weights"))
+        self.assertIn("points.xyz:2: ", ran.err)
+        self.assertIn("x y z weight", ran.err)
+        self.write("points.xyz", "0 0 0 1\n1 0 0 inf\n")
+        self.expect(3, self.hexatlas("mesh", "delaunay", "points.xyz", "--weights"))
+        self.write("points.bin", binary([(1, 2, 3)] * 3))
+        ran = self.expect(3, self.hexatlas("mesh", "delaunay", "points.bin", "--weights"))
+        self.assertIn("32", ran.err)
+        self.write("points.bin", struct.pack("<4d", 1, 2, 3, float("nan")))
+        ran = self.expect(3, self.hexatlas("mesh", "delaunay", "points.bin", "--weights"))
+        self.assertIn("weight", ran.err)
+        self.write("points.obj", "v 0 0 0 1\n")
+        ran = self.expect(3, self.hexatlas("mesh", "delaunay", "points.obj", "--weights"))
+        self.assertIn("(known: .xyz .bin)", ran.err)
+
     def test_a_lattice_has_six_tetrahedra_in_each_cube(self):
         self.assertEqual(self.meshed(grid(50))["tetrahedra"], 6 * 49 ** 3)
 

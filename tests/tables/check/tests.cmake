@@ -43,7 +43,7 @@ hexatlas_test(tables_check_read_points_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/read_points_test.cpp
   USES tables_check meshing_io)
 hexatlas_test(tables_check_delaunay_test fast
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/delaunay_check_test.cpp
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/delaunay_check_test.cpp ${CMAKE_CURRENT_LIST_DIR}/regular_check_test.cpp
   USES tables_check)
 hexatlas_test(sabotage_delaunay_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/../../sabotage/delaunay_sabotage_test.cpp
