@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
 
 #include "tables/check/readers.hpp"
 #include "tables/check/scanner.hpp"
@@ -17,6 +20,69 @@ constexpr std::array<ShapeNumber, 8> kVtkShapes = {{{1, Shape::kVertex},
                                                     {13, Shape::kWedge},
                                                     {14, Shape::kPyramid}}};
 
+/// The bits of a number, most significant byte first.
+template <class Bits>
+Bits big_endian(std::string_view bytes) {
+  Bits bits = 0;
+  for (const char byte : bytes.substr(0, sizeof bits)) {
+    bits = static_cast<Bits>(bits << 8U | static_cast<unsigned char>(byte));
+  }
+  return bits;
+}
+
+/// The bytes of a section whose heading was read, to the end of its line.
+std::string_view body(Scanner& in, std::uint64_t count, std::uint64_t width) {
+  if (in.skip_line().find_first_not_of(" \t") != std::string_view::npos) {
+    in.fail("words between a heading and its binary numbers");
+  }
+  return in.bytes(count * width);
+}
+
+template <class Bits>
+std::vector<std::uint64_t> binary_naturals(Scanner& in, std::uint64_t count) {
+  std::vector<std::uint64_t> numbers;
+  numbers.reserve(count);
+  std::string_view bytes = body(in, count, sizeof(Bits));
+  for (; !bytes.empty(); bytes.remove_prefix(sizeof(Bits))) {
+    const auto bits = big_endian<Bits>(bytes);
+    if (bits > std::numeric_limits<Bits>::max() / 2) in.fail("a binary number is negative");
+    numbers.push_back(bits);
+  }
+  return numbers;
+}
+
+template <class Bits, class Real>
+void read_binary_points(Scanner& in, std::uint64_t count, Draft& draft) {
+  std::string_view bytes = body(in, count, 3 * sizeof(Bits));
+  for (std::uint64_t i = 0; i < count; ++i) {
+    Point point{};
+    for (double& value : point) {
+      value = std::bit_cast<Real>(big_endian<Bits>(bytes));
+      bytes.remove_prefix(sizeof(Bits));
+      if (std::isfinite(value)) continue;
+      in.fail("a coordinate of point " + std::to_string(i) + " is not finite");
+    }
+    draft.points.push_back(point);
+  }
+}
+
+/// The same as read_rows(), in integers of four bytes.
+void read_binary_rows(Scanner& in, VtkCells& cells) {
+  const std::uint64_t rows = in.count(4);
+  const auto numbers = binary_naturals<std::uint32_t>(in, in.count(4));
+  std::size_t at = 0;
+  for (std::uint64_t row = 0; row < rows; ++row) {
+    if (at == numbers.size() || numbers[at] > numbers.size() - at - 1) {
+      in.fail("the size of CELLS is wrong");
+    }
+    const auto corners = std::span(numbers).subspan(at + 1, numbers[at]);
+    cells.connectivity.insert(cells.connectivity.end(), corners.begin(), corners.end());
+    cells.offsets.push_back(cells.connectivity.size());
+    at += corners.size() + 1;
+  }
+  if (at != numbers.size()) in.fail("the size of CELLS is wrong");
+}
+
 /// CELLS n size, then n rows "k i1 .. ik"; size counts all these numbers.
 void read_rows(Scanner& in, VtkCells& cells) {
   const std::uint64_t rows = in.count(2);
@@ -31,24 +97,28 @@ void read_rows(Scanner& in, VtkCells& cells) {
 }
 
 /// CELLS n+1 size, OFFSETS type and n+1 numbers, CONNECTIVITY type and size numbers.
-void read_offsets_and_connectivity(Scanner& in, VtkCells& cells) {
-  const auto read_type = [&in] {
+void read_offsets_and_connectivity(Scanner& in, bool binary, VtkCells& cells) {
+  const auto read_numbers = [&in, binary](std::uint64_t count) {
     const std::string_view type = in.word();
     if (type != "vtktypeint64" && type != "vtktypeint32") {
       in.fail("unknown type of integers " + in_quotes(type));
     }
+    if (binary) {
+      return type == "vtktypeint64" ? binary_naturals<std::uint64_t>(in, count)
+                                    : binary_naturals<std::uint32_t>(in, count);
+    }
+    std::vector<std::uint64_t> numbers;
+    for (std::uint64_t i = 0; i < count; ++i) numbers.push_back(in.natural());
+    return numbers;
   };
   const std::uint64_t offsets = in.count(2);
   const std::uint64_t size = in.count(2);
   if (offsets == 0) in.fail("CELLS needs at least one offset");
   in.expect("OFFSETS");
-  read_type();
-  cells.offsets.clear();
-  for (std::uint64_t i = 0; i < offsets; ++i) cells.offsets.push_back(in.natural());
+  cells.offsets = read_numbers(offsets);
   if (cells.offsets.back() != size) in.fail("the last offset is not the size of CONNECTIVITY");
   in.expect("CONNECTIVITY");
-  read_type();
-  for (std::uint64_t i = 0; i < size; ++i) cells.connectivity.push_back(in.natural());
+  cells.connectivity = read_numbers(size);
 }
 
 struct Sections {
@@ -62,27 +132,50 @@ void once(Scanner& in, bool& seen, std::string_view keyword) {
   seen = true;
 }
 
-void read_points(Scanner& in, Draft& draft) {
+void read_points(Scanner& in, bool binary, Draft& draft) {
   const std::uint64_t count = in.count(6);
   const std::string_view type = in.word();
   if (type != "double" && type != "float") in.fail("points must be float or double");
   draft.points.reserve(count);
+  if (binary && type == "double")
+    return read_binary_points<std::uint64_t, double>(in, count, draft);
+  if (binary) return read_binary_points<std::uint32_t, float>(in, count, draft);
   for (std::uint64_t i = 0; i < count; ++i) draft.points.push_back(in.point());
 }
 
+void read_types(Scanner& in, bool binary, VtkCells& cells) {
+  const std::uint64_t count = in.count(2);
+  if (binary) {
+    cells.types = binary_naturals<std::uint32_t>(in, count);
+  } else {
+    for (std::uint64_t i = 0; i < count; ++i) cells.types.push_back(in.natural());
+  }
+}
+
+/// How the numbers are written.
+struct Style {
+  bool rows = true;  ///< of cells, as before version 5
+  bool binary = false;
+};
+
 /// True when only attributes follow; they carry no part of the mesh.
-bool read_section(Scanner& in, bool rows, Sections& seen, Draft& draft, VtkCells& cells) {
+bool read_section(Scanner& in, Style style, Sections& seen, Draft& draft, VtkCells& cells) {
   const std::string_view keyword = in.word();
   if (keyword == "POINTS") {
     once(in, seen.points, keyword);
-    read_points(in, draft);
+    read_points(in, style.binary, draft);
   } else if (keyword == "CELLS") {
     once(in, seen.cells, keyword);
-    rows ? read_rows(in, cells) : read_offsets_and_connectivity(in, cells);
+    if (!style.rows) {
+      read_offsets_and_connectivity(in, style.binary, cells);
+    } else if (style.binary) {
+      read_binary_rows(in, cells);
+    } else {
+      read_rows(in, cells);
+    }
   } else if (keyword == "CELL_TYPES") {
     once(in, seen.types, keyword);
-    const std::uint64_t count = in.count(2);
-    for (std::uint64_t i = 0; i < count; ++i) cells.types.push_back(in.natural());
+    read_types(in, style.binary, cells);
   } else if (keyword == "METADATA") {
     in.skip_line();
     in.skip_paragraph();
@@ -139,7 +232,9 @@ Draft parse_legacy_vtk(const std::string& name, std::string_view bytes, Wanted w
   if (!rows && version != "5.1") in.fail("unknown version " + in_quotes(version));
   in.skip_line();
   in.skip_line();
-  for (const std::string_view word : {"ASCII", "DATASET", "UNSTRUCTURED_GRID"}) {
+  const bool binary = in.peek() == "BINARY";
+  for (const std::string_view word :
+       {binary ? "BINARY" : "ASCII", "DATASET", "UNSTRUCTURED_GRID"}) {
     in.expect(word);
   }
   Draft draft(wanted);
@@ -147,7 +242,7 @@ Draft parse_legacy_vtk(const std::string& name, std::string_view bytes, Wanted w
   cells.offsets = {0};
   Sections seen;
   while (!in.at_end()) {
-    if (read_section(in, rows, seen, draft, cells)) break;
+    if (read_section(in, {rows, binary}, seen, draft, cells)) break;
   }
   if (!seen.points || !seen.cells || !seen.types) {
     in.fail("POINTS, CELLS and CELL_TYPES must all be present");

@@ -88,6 +88,13 @@ std::string_view Scanner::skip_line() {
   return rest;
 }
 
+std::string_view Scanner::bytes(std::uint64_t count) {
+  if (count > text_.size() - at_) fail("the file ends too early");
+  const std::string_view found = text_.substr(at_, count);
+  at_ += count;
+  return found;
+}
+
 void Scanner::skip_paragraph() {
   while (!skip_line().empty()) continue;
 }

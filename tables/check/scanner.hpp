@@ -24,6 +24,8 @@ class Scanner {
   [[nodiscard]] std::string_view word();
   /// The rest of the current line, without its end.
   std::string_view skip_line();
+  /// So many bytes as they are, after what was read; their ends of lines do not count.
+  [[nodiscard]] std::string_view bytes(std::uint64_t count);
   /// Lines up to and with the next empty one.
   void skip_paragraph();
   /// The words of the next line that has any; empty only at the end.

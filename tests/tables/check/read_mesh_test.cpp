@@ -193,7 +193,8 @@ TEST(ReadMesh, RefusesMalformedVtk) {
   expect_malformed("a.vtk", "", "too early");
   expect_malformed("a.vtk", good.substr(0, good.size() / 2), "a.vtk:");
   bad("2.0", "9.9", "a.vtk:1: unknown version");
-  bad("ASCII", "BINARY", "a.vtk:3: expected 'ASCII'");
+  bad("ASCII", "BINARY", "unknown or misplaced keyword");
+  bad("ASCII", "BASE64", "a.vtk:3: expected 'ASCII'");
   bad("POINTS 27", "POINTS 28", "expected a number");
   bad("POINTS 27", "POINTS 26", "unknown or misplaced keyword");
   bad("POINTS 27", "POINTS 2147483647", "more than the rest of the file");

@@ -37,7 +37,7 @@ hexatlas_test(tables_check_mesh_check_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/mesh_check_test.cpp
   USES tables_check)
 hexatlas_test(tables_check_read_mesh_test fast
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/read_mesh_test.cpp
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/read_mesh_test.cpp ${CMAKE_CURRENT_LIST_DIR}/read_binary_vtk_test.cpp
   USES tables_check)
 hexatlas_test(tables_check_read_points_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/read_points_test.cpp
