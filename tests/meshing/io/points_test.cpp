@@ -59,6 +59,30 @@ TEST(Points, NoneAtAll) {
     EXPECT_TRUE(io::parse_points(sample.bytes, sample.format, "f").empty()) << sample.name;
 }
 
+TEST(Points, WithWeights) {
+  const auto text =
+      io::parse_weighted_points("1 2 3 -4.5\n# no\n0 -0 1e300 5e-324 more\n", xyz, "f");
+  EXPECT_EQ(text.points, (std::vector<mesh::Point>{{1, 2, 3}, {0, 0, 1e300}}));
+  EXPECT_EQ(text.weights, (std::vector<double>{-4.5, 5e-324}));
+  const std::string one = packed(1.0) + packed(2.0) + packed(3.0), two = packed(4.0) + one;
+  const auto binary = io::parse_weighted_points(one + packed(-4.5) + two, raw, "f");
+  EXPECT_EQ(binary.points, (std::vector<mesh::Point>{{1, 2, 3}, {4, 1, 2}}));
+  EXPECT_EQ(binary.weights, (std::vector<double>{-4.5, 3}));
+  EXPECT_TRUE(io::parse_weighted_points("", raw, "f").points.empty());
+  EXPECT_TRUE(io::parse_weighted_points("", xyz, "f").weights.empty());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_all_refused(
+      {{xyz, "0 0 0 0\n1 2 3\n", 2, "line of 3 columns; x y z weight are expected"},
+       {xyz, "0 0 0 inf\n", 1, "'inf' is not a finite number"},
+       {xyz, "0 0 0 w\n", 1, "'w' is not a number"},
+       {raw, one, 0, "has 24 bytes, which is not a multiple of 32, four doubles per point"},
+       {raw, one + packed(nan), 0, "point 0, counted from 0, has a weight that is not a finite"},
+       {raw, two + packed(nan) + two, 0, "has 72 bytes"},
+       {raw, one + packed(1.0) + packed(nan) + one, 0, "point 1, counted from 0, has a coordinate"},
+       {ply, "ply\n", 0, "the format .ply is not one for points with weights (known: .xyz .bin)"}},
+      io::parse_weighted_points);
+}
+
 TEST(Points, EndsOfLinesAndMark) {
   std::string dos = kXyz;
   for (std::size_t at = 0; (at = dos.find('\n', at)) != std::string::npos; at += 2)
