@@ -38,7 +38,7 @@ struct Oracle {
   /// weights are given, in their perturbed orthosphere.
   static int perturbed_in_sphere(const std::array<Place, 5>& p,
                                  const std::array<T, 5>& weights = {}) {
-    std::array<T, 5> factors;
+    std::array<T, 5> factors{};
     for (std::size_t k = 0; k < 4; ++k) {
       std::array<Place, 5> q = p;
       q[k] = p[4];

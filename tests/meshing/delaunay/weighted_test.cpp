@@ -28,7 +28,6 @@ namespace {
 
 using namespace hexatlas;
 using namespace hexatlas::delaunay_tests;
-using delaunay::Options;
 using delaunay::References;
 using delaunay::Triangulation;
 using Index = Triangulation::Index;
