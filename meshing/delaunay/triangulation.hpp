@@ -28,7 +28,7 @@
 /// Errors: ResourceFailure if there is not enough memory.
 /// Cost: for points in general position and evenly spread, some microseconds per point, 36 bytes
 /// per tetrahedron at most; the number of tetrahedra can be quadratic in that of the points (two
-/// skew lines). With weights about five times as long. Not promised: quality of the tetrahedra; any
+/// skew lines). With weights about twice as long. Not promised: quality of the tetrahedra; any
 /// bound for inputs that are made to have huge cavities.
 
 #include <array>

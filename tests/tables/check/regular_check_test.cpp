@@ -138,6 +138,38 @@ TEST(Orthospheres, AreThoseOfIntegersInEveryStage) {
   EXPECT_GT(total.by_integers, 5000U);
 }
 
+/// Great weights that are nearly those of one affine function: they cancel.
+TEST(Orthospheres, SeeOneUnitAmongGreatWeights) {
+  std::mt19937_64 random(14);
+  int nearly = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const auto slope = [&] { return static_cast<std::int64_t>(random() >> 24U) - (1LL << 39U); };
+    const Lattice slopes = {slope(), slope(), slope()};
+    Cloud cloud;
+    for (int i = 0; i < 5; ++i) {
+      const Lattice p = {static_cast<std::int64_t>(random() % 1000),
+                         static_cast<std::int64_t>(random() % 1000),
+                         static_cast<std::int64_t>(random() % 1000)};
+      cloud.at.push_back(p);
+      cloud.weights.push_back(p[0] * (p[0] + slopes[0]) + p[1] * (p[1] + slopes[1]) +
+                              p[2] * (p[2] + slopes[2]) + static_cast<int>(random() % 3) - 1);
+    }
+    const Whole value = cloud.power({0, 1, 2, 3}, 4);
+    const std::vector<Point> p = cloud.points();
+    const std::vector<std::int64_t>& w = cloud.weights;
+    Signs signs;
+    ASSERT_EQ(signs.in_orthosphere(
+                  p[0], p[1], p[2], p[3], p[4],
+                  {static_cast<double>(w[0]), static_cast<double>(w[1]), static_cast<double>(w[2]),
+                   static_cast<double>(w[3]), static_cast<double>(w[4])}),
+              value > 0   ? 1
+              : value < 0 ? -1
+                          : 0);
+    nearly += signs.counts().by_integers == 1;
+  }
+  EXPECT_GT(nearly, 2000);
+}
+
 TEST(Orthospheres, SeeTheLastPlaceOfAWeight) {
   const Point o{0, 0, 0}, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, e{0.25, 0.25, 0.25};
   const auto sign = [&](double weight) {
