@@ -333,8 +333,8 @@ TEST(FourFacets, KnowTheGhostVertex) {
           (i < 4 ? q.corners[i] : q.apexes[i - 4]) = nowhere;
           return q;
         };
-        const auto add = [&](const Query& q, Tally& tally) {
-          const FacetSigns signs = conflict(*functions, q);
+        const auto add = [&, &chosen = *functions](const Query& q, Tally& tally) {
+          const FacetSigns signs = conflict(chosen, q);
           for (unsigned j = 0; j < 4; ++j) tally.add(signs, j, expected_conflict(q, j));
         };
         Cloud small = uniform(9, random);

@@ -46,7 +46,7 @@ inline mesh::TetMesh random_delaunay(std::size_t points, unsigned side, std::mt1
     if (std::find(mesh.points.begin(), mesh.points.end(), p) == mesh.points.end())
       mesh.points.push_back(p);
   }
-  mesh.tetrahedra = delaunay::Triangulation(mesh.points, {}).tetrahedra();
+  mesh.tetrahedra = delaunay::Triangulation(mesh.points).tetrahedra();
   return mesh;
 }
 

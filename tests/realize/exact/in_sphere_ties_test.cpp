@@ -74,9 +74,9 @@ std::int64_t six_volumes_of_hull(const Points& points) {
       for (const std::size_t r : on) {
         const Lattice edge = minus(points[r], points[q]);
         const bool is_edge =
-            q != r && std::all_of(on.begin(), on.end(), [&](std::size_t s) {
+            q != r && std::all_of(on.begin(), on.end(), [&, &outwards = normal](std::size_t s) {
               const Lattice to = minus(points[s], points[q]);
-              const std::int64_t side = dot(normal, cross(edge, to));
+              const std::int64_t side = dot(outwards, cross(edge, to));
               return side > 0 || (side == 0 && dot(to, minus(points[s], points[r])) <= 0);
             });
         if (is_edge)
