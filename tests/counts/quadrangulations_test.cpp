@@ -1,4 +1,4 @@
-// Claim. Simple and 3-connected quadrangulations with up to 11 quads (long: 14), counted by code
+// Claim. Simple and 3-connected quadrangulations with up to 11 quads (long: 13), counted by code
 // and rooted, are as many as known_counts.tsv says; nauty agrees with the planar code on which
 // of the 3-connected ones are isomorphic and on the orders of their groups.
 // Oracle. known_counts.tsv, whose numbers are those of plantri, the OEIS and Tutte's formulas;
