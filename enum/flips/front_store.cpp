@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -123,11 +124,11 @@ void FrontStore::end_pass() {
   for (Shard& shard : shards_)
     for (Family& own : shard.families) {
       if (own.pass != pass_) continue;
-      const auto first = own.fronts.begin() + std::max<std::ptrdiff_t>(1, own.fresh_begin);
-      if (first >= own.fronts.end()) continue;
-      const auto kept = std::remove_if(first, own.fronts.end(), [](const StoredFront& f) {
-        return f.mark == FrontMark::waiting;
-      });
+      const std::ptrdiff_t first = std::max<std::ptrdiff_t>(1, own.fresh_begin);
+      if (first >= std::ssize(own.fronts)) continue;
+      const auto kept =
+          std::remove_if(own.fronts.begin() + first, own.fronts.end(),
+                         [](const StoredFront& f) { return f.mark == FrontMark::waiting; });
       shard.fronts -= static_cast<std::size_t>(own.fronts.end() - kept);
       own.fronts.erase(kept, own.fronts.end());
       own.fronts.shrink_to_fit();
