@@ -122,6 +122,7 @@ std::string summary(const HybridAccount& account, const std::string& output) {
   const quality::HybridReport& report = account.report;
   const double whole = volume_of(report) / 100;
   const auto line = [&](const quality::Report& r, const char* one, const char* many) {
+    if (r.cells == 0) return fmt::format("no {}\n", many);
     const double percent = r.volume / whole;  // of coordinates near the limits not a number
     return fmt::format(
         "{}, {} of the volume, least scaled Jacobian {:.3f}\n", counted(r.cells, one, many),
