@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "meshing/delaunay/triangulation.hpp"
+#include "tests/meshing/delaunay/cgal_cells.hpp"
 #include "tests/meshing/delaunay/clouds.hpp"
 #include "tests/meshing/delaunay/oracle.hpp"
 
@@ -41,21 +42,6 @@ Cgal cgal_of(const Cloud& points, const std::vector<double>& weights) {
     const auto vertex = result.insert(Kernel::Weighted_point_3(place, weights[i]));
     if (vertex != Cgal::Vertex_handle()) vertex->info() = i;
   }
-  return result;
-}
-
-/// In the form of Triangulation::tetrahedra(). CGAL's cells are right-handed.
-Tetrahedra tetrahedra_of(const Cgal& cgal) {
-  Tetrahedra result;
-  for (const auto cell : cgal.finite_cell_handles()) {
-    std::array<Index, 4> t{};
-    for (int i = 0; i < 4; ++i) t[static_cast<unsigned>(i)] = cell->vertex(i)->info();
-    const auto least = static_cast<unsigned>(std::min_element(t.begin(), t.end()) - t.begin());
-    t = {t[least], t[least ^ 1U], t[least ^ 2U], t[least ^ 3U]};
-    std::rotate(t.begin() + 1, std::min_element(t.begin() + 1, t.end()), t.end());
-    result.push_back(t);
-  }
-  std::sort(result.begin(), result.end());
   return result;
 }
 

@@ -18,11 +18,13 @@
 #include "enum/core/errors.hpp"
 #include "meshing/quality/edge.hpp"
 #include "realize/exact/prism.hpp"
+#include "tests/realize/exact/placed_cells.hpp"
 
 namespace {
 
 using namespace hexatlas;
 using mesh::Point;
+using placed_cells::scaled;
 using quality::PrismCorners;
 using quality::PyramidCorners;
 using quality::TetrahedronCorners;
@@ -107,13 +109,6 @@ Cell mapped(Cell cell, const Map& map) {
 template <class Cell>
 Cell mirrored(const Cell& cell) {
   return mapped(cell, [](const Point& p) { return Point{p.y, p.x, p.z}; });
-}
-
-template <class Cell>
-Cell scaled(const Cell& cell, int exponent) {
-  return mapped(cell, [exponent](const Point& p) {
-    return Point{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
-  });
 }
 
 template <class Cell>

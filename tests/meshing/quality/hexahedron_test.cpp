@@ -5,6 +5,7 @@
 // evaluated at rational points in 128-bit integers; mirror images and powers of two. The
 // scaled Jacobian of a parallelepiped by Gram's formula.
 #include "meshing/quality/hexahedron.hpp"
+#include "tests/realize/exact/placed_cells.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +20,7 @@ namespace {
 
 using namespace hexatlas;
 using mesh::Point;
+using placed_cells::scaled;
 using quality::Corners;
 using quality::Validity;
 
@@ -40,12 +42,6 @@ Corners mapped(Corners corners, const Map& map) {
 
 Corners mirrored(const Corners& corners) {
   return mapped(corners, [](const Point& p) { return Point{p.x, p.y, -p.z}; });
-}
-
-Corners scaled(const Corners& corners, int exponent) {
-  return mapped(corners, [exponent](const Point& p) {
-    return Point{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
-  });
 }
 
 /// steps^6 times the determinant at (r, s, t) / steps; corners must be integers.

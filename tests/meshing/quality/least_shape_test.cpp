@@ -13,11 +13,13 @@
 #include <random>
 
 #include "enum/core/errors.hpp"
+#include "tests/realize/exact/placed_cells.hpp"
 
 namespace {
 
 using namespace hexatlas;
 using mesh::Point;
+using placed_cells::scaled;
 using quality::Corners;
 using quality::PrismCorners;
 using quality::ShapeBounds;
@@ -128,13 +130,6 @@ Cell twisted(Cell cell, double angle) {
     cell[v].x = 0.5 + std::cos(angle) * x - std::sin(angle) * y;
     cell[v].y = 0.5 + std::sin(angle) * x + std::cos(angle) * y;
   }
-  return cell;
-}
-
-template <class Cell>
-Cell scaled(Cell cell, int exponent) {
-  for (Point& p : cell)
-    p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
   return cell;
 }
 

@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <random>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -19,6 +18,7 @@
 #include "enum/core/errors.hpp"
 #include "realize/exact/in_sphere.hpp"
 #include "tests/realize/exact/in_sphere_oracle.hpp"
+#include "tests/realize/exact/sign_trials.hpp"
 
 namespace {
 
@@ -27,7 +27,10 @@ using exact::Sign;
 using exact::WeightedPoint3;
 using in_sphere_oracle::Tuple;
 using in_sphere_oracle::Weights;
-using Random = std::mt19937_64;
+using sign_trials::Random;
+using sign_trials::small_integer;
+using sign_trials::Tally;
+using sign_trials::unit;
 using Five = std::array<WeightedPoint3, 5>;
 
 constexpr double kTiny = std::numeric_limits<double>::denorm_min();
@@ -52,27 +55,10 @@ bool has_different_places(const Five& p) {
   return places.size() == 5;
 }
 
-struct Tally {
-  int negative = 0, zero = 0, positive = 0, left_by_filter = 0;
-};
-
 void check(const Five& p, Tally& tally) {
   const auto expected = static_cast<Sign>(in_sphere_oracle::in_sphere(places_of(p), weights_of(p)));
   ASSERT_EQ(unperturbed(p), expected);
-  const auto filtered = exact::filtered_sign_of_in_orthosphere(p[0], p[1], p[2], p[3], p[4]);
-  if (filtered) {
-    ASSERT_EQ(*filtered, expected);
-  }
-  tally.negative += expected == Sign::negative ? 1 : 0;
-  tally.zero += expected == Sign::zero ? 1 : 0;
-  tally.positive += expected == Sign::positive ? 1 : 0;
-  tally.left_by_filter += filtered ? 0 : 1;
-}
-
-double unit(Random& random) { return std::ldexp(static_cast<double>(random() >> 11U), -53); }
-
-double integer(Random& random, std::uint64_t size) {
-  return static_cast<double>(random() % size) - static_cast<double>(size / 2);
+  add(expected, exact::filtered_sign_of_in_orthosphere(p[0], p[1], p[2], p[3], p[4]), tally);
 }
 
 template <class Coordinate, class Weight>
@@ -89,7 +75,7 @@ Five five_of(const Coordinate& coordinate, const Weight& weight) {
 
 /// Lifted to one affine function: the last weight is such that the determinant is zero, or nearly.
 void lift(Five& p, Random& random) {
-  const double slope = integer(random, 9);
+  const double slope = small_integer(random, 9);
   for (WeightedPoint3& q : p) {
     const auto& [x, y, z] = q.place;
     q.weight = x * x + y * y + z * z - slope * x + 3 * y - z - slope;
@@ -115,10 +101,10 @@ TEST(InOrthosphere, IsThatOfIntegers) {
   Tally tally;
   for (int trial = 0; trial < 20000; ++trial) {
     const std::uint64_t size = trial % 4 == 0 ? 3 : trial % 4 == 1 ? 9 : 1 << 20;
-    Five p = five_of([&] { return integer(random, size); },
-                     [&] { return integer(random, size * (trial % 3 == 0 ? size : 2)); });
+    Five p = five_of([&] { return small_integer(random, size); },
+                     [&] { return small_integer(random, size * (trial % 3 == 0 ? size : 2)); });
     if (trial % 4 == 3 || trial % 8 == 1) lift(p, random);
-    if (trial % 16 == 3) p[random() % 5].weight += integer(random, 3);
+    if (trial % 16 == 3) p[random() % 5].weight += small_integer(random, 3);
     check(p, tally);
   }
   EXPECT_GT(tally.negative, 5000);
@@ -185,9 +171,10 @@ TEST(InOrthosphere, AtTheEndOfFixedWidth) {
     const double weight = std::ldexp(1, 119 + static_cast<int>(random() % 10));
     Five p = five_of(
         [&] {
-          return random() % 2 == 0 ? coordinate * integer(random, 3) + 1 : integer(random, 3);
+          return random() % 2 == 0 ? coordinate * small_integer(random, 3) + 1
+                                   : small_integer(random, 3);
         },
-        [&] { return random() % 4 == 0 ? 1.0 : weight * integer(random, 3); });
+        [&] { return random() % 4 == 0 ? 1.0 : weight * small_integer(random, 3); });
     check(p, tally);
   }
   EXPECT_GT(tally.left_by_filter, 1000);
@@ -196,8 +183,10 @@ TEST(InOrthosphere, AtTheEndOfFixedWidth) {
 TEST(InOrthosphere, WithEqualWeightsIsInSphere) {
   Random random(20261506);
   for (int trial = 0; trial < 5000; ++trial) {
-    const double weight = trial % 5 == 0 ? kHuge : trial % 5 == 1 ? -kTiny : integer(random, 100);
-    const Five p = five_of([&] { return integer(random, 5); }, [&] { return weight; });
+    const double weight = trial % 5 == 0   ? kHuge
+                          : trial % 5 == 1 ? -kTiny
+                                           : small_integer(random, 100);
+    const Five p = five_of([&] { return small_integer(random, 5); }, [&] { return weight; });
     if (!has_different_places(p)) continue;
     ASSERT_EQ(perturbed(p), exact::sign_of_perturbed_in_sphere(p[0].place, p[1].place, p[2].place,
                                                                p[3].place, p[4].place));
@@ -208,8 +197,8 @@ TEST(InOrthosphere, TiesAreThoseOfSmallHeights) {
   Random random(20261507);
   int ties = 0, flat = 0;
   for (int trial = 0; trial < 20000; ++trial) {
-    Five p = five_of([&] { return integer(random, trial % 2 == 0 ? 3 : 7); },
-                     [&] { return integer(random, 4); });
+    Five p = five_of([&] { return small_integer(random, trial % 2 == 0 ? 3 : 7); },
+                     [&] { return small_integer(random, 4); });
     if (trial % 4 != 0) lift(p, random);
     if (!has_different_places(p)) continue;
     const Sign sign = perturbed(p);

@@ -13,13 +13,13 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <random>
 #include <utility>
 #include <vector>
 
 #include "enum/core/errors.hpp"
 #include "realize/exact/orientation.hpp"
 #include "tests/realize/exact/in_sphere_oracle.hpp"
+#include "tests/realize/exact/sign_trials.hpp"
 
 namespace {
 
@@ -27,28 +27,20 @@ using namespace hexatlas;
 using exact::Point3;
 using exact::Sign;
 using in_sphere_oracle::Tuple;
-using Random = std::mt19937_64;
+using sign_trials::Random;
+using sign_trials::small_integer;
+using sign_trials::Tally;
+using sign_trials::unit;
 
 Sign in_sphere(const Tuple& p) { return exact::sign_of_in_sphere(p[0], p[1], p[2], p[3], p[4]); }
 Sign perturbed(const Tuple& p) {
   return exact::sign_of_perturbed_in_sphere(p[0], p[1], p[2], p[3], p[4]);
 }
 
-struct Tally {
-  int negative = 0, zero = 0, positive = 0, left_by_filter = 0;
-};
-
 void check(const Tuple& p, Tally& tally) {
   const auto expected = static_cast<Sign>(in_sphere_oracle::in_sphere(p));
   ASSERT_EQ(in_sphere(p), expected);
-  const auto filtered = exact::filtered_sign_of_in_sphere(p[0], p[1], p[2], p[3], p[4]);
-  if (filtered) {
-    ASSERT_EQ(*filtered, expected);
-  }
-  tally.negative += expected == Sign::negative ? 1 : 0;
-  tally.zero += expected == Sign::zero ? 1 : 0;
-  tally.positive += expected == Sign::positive ? 1 : 0;
-  tally.left_by_filter += filtered ? 0 : 1;
+  add(expected, exact::filtered_sign_of_in_sphere(p[0], p[1], p[2], p[3], p[4]), tally);
 }
 
 bool are_different(const Tuple& p) {
@@ -67,12 +59,6 @@ Tuple tuple_of(const Coordinate& coordinate) {
     point.z = coordinate();
   }
   return p;
-}
-
-double unit(Random& random) { return std::ldexp(static_cast<double>(random() >> 11U), -53); }
-
-double small_integer(Random& random, std::uint64_t size) {
-  return static_cast<double>(random() % size) - static_cast<double>(size / 2);
 }
 
 TEST(InSphere, OfTheUnitTetrahedron) {

@@ -19,6 +19,7 @@
 #include "enum/core/errors.hpp"
 #include "realize/exact/jacobian.hpp"
 #include "realize/exact/jacobian_lanes.hpp"
+#include "tests/realize/exact/placed_cells.hpp"
 
 namespace {
 
@@ -27,6 +28,7 @@ using exact::Hexahedron;
 using exact::JacobianVerdict;
 using exact::Positivity;
 using exact::Sign;
+using placed_cells::scaled;
 
 constexpr JacobianVerdict kPositive{Positivity::positive, false};
 constexpr JacobianVerdict kInverted{Positivity::not_positive, true};
@@ -41,12 +43,6 @@ Hexahedron moved_cube(int side, int shift, std::mt19937_64& random) {
     };
     h[v] = {at(0), at(1), at(2)};
   }
-  return h;
-}
-
-Hexahedron scaled(Hexahedron h, int exponent) {
-  for (auto& p : h)
-    p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
   return h;
 }
 

@@ -15,12 +15,14 @@
 #include <utility>
 
 #include "enum/core/errors.hpp"
+#include "tests/realize/exact/sign_trials.hpp"
 
 namespace {
 
 using namespace hexatlas;
 using exact::Point3;
 using exact::Sign;
+using sign_trials::Tally;
 
 __extension__ using Wide = __int128;
 using IntegerPoint = std::array<std::int64_t, 3>;
@@ -64,24 +66,13 @@ Point3 scaled(const IntegerPoint& p, int exponent) {
           std::ldexp(static_cast<double>(p[2]), exponent)};
 }
 
-struct Tally {
-  int negative = 0, zero = 0, positive = 0, left_by_filter = 0;
-};
-
 void check(const IntegerTetrahedron& p, int exponent, Tally& tally) {
   const Sign expected = oracle(p);
   std::array<Point3, 4> q{};
   for (std::size_t i = 0; i < 4; ++i) q[i] = scaled(p[i], exponent);
   ASSERT_EQ(exact::sign_of_orientation(q[0], q[1], q[2], q[3]), expected);
   ASSERT_EQ(exact::sign_of_orientation(q[1], q[0], q[2], q[3]), exact::opposite(expected));
-  const auto filtered = exact::filtered_sign_of_orientation(q[0], q[1], q[2], q[3]);
-  if (filtered) {
-    ASSERT_EQ(*filtered, expected);
-  }
-  tally.negative += expected == Sign::negative ? 1 : 0;
-  tally.zero += expected == Sign::zero ? 1 : 0;
-  tally.positive += expected == Sign::positive ? 1 : 0;
-  tally.left_by_filter += filtered ? 0 : 1;
+  add(expected, exact::filtered_sign_of_orientation(q[0], q[1], q[2], q[3]), tally);
 }
 
 TEST(Orientation, OfTheUnitTetrahedronIsPositive) {

@@ -21,6 +21,7 @@
 
 #include "enum/core/errors.hpp"
 #include "realize/exact/integers.hpp"
+#include "tests/realize/exact/placed_cells.hpp"
 
 namespace {
 
@@ -31,6 +32,8 @@ using exact::Positivity;
 using exact::Prism;
 using exact::Pyramid;
 using Rational = mpq_class;
+using placed_cells::moved;
+using placed_cells::scaled;
 
 /// The determinant of sum_v weights[v][d] p_v, d = 0, 1, 2 being the rows.
 template <std::size_t kCount>
@@ -94,22 +97,6 @@ Least least_jacobian(const Prism& p) {
 
 const Prism kPrism{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}};
 const Pyramid kPyramid{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}}};
-
-template <class Cell>
-Cell moved(const Cell& cell, int side, int shift, std::mt19937_64& random) {
-  std::uniform_int_distribution<int> move(-shift, shift);
-  Cell result = cell;
-  for (Point3& p : result)
-    p = {side * p.x + move(random), side * p.y + move(random), side * p.z + move(random)};
-  return result;
-}
-
-template <class Cell>
-Cell scaled(Cell cell, int exponent) {
-  for (Point3& p : cell)
-    p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
-  return cell;
-}
 
 template <class Cell>
 Cell mirrored(Cell cell) {

@@ -15,6 +15,7 @@
 #include "enum/core/errors.hpp"
 #include "realize/exact/integers.hpp"
 #include "realize/exact/prism.hpp"
+#include "tests/realize/exact/placed_cells.hpp"
 
 namespace {
 
@@ -24,6 +25,8 @@ using exact::Point3;
 using exact::Prism;
 using exact::Pyramid;
 using Vector = std::array<Integer, 3>;
+using placed_cells::moved;
+using placed_cells::scaled;
 
 constexpr unsigned long kPlaces = 2000;
 
@@ -103,21 +106,6 @@ double least_shape(const Cell& cell) {
     least = std::min(least, mpq_class(above, below).get_d());
   }
   return least;
-}
-
-template <class Cell>
-Cell moved(Cell cell, int size, int shift, std::mt19937_64& random) {
-  std::uniform_int_distribution<int> move(-shift, shift);
-  for (Point3& p : cell)
-    p = {size * p.x + move(random), size * p.y + move(random), size * p.z + move(random)};
-  return cell;
-}
-
-template <class Cell>
-Cell scaled(Cell cell, int exponent) {
-  for (Point3& p : cell)
-    p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
-  return cell;
 }
 
 /// Equilateral, right, and half an octahedron: both of shape 1, in integers.
