@@ -58,7 +58,7 @@ Builder<Index, kIsWeighted>::Builder(std::span<const mesh::Point> points,
   if constexpr (kIsWeighted) weights_.resize(sites);
   constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
   sites_[kNone] = sites_[kGhost] = {kNowhere, kNowhere, kNowhere, 0};
-  const SpaceOrder order = space_order(points, seed, threads);
+  SpaceOrder order = space_order(points, seed, threads);
   std::vector<CommonUnit> units(static_cast<std::size_t>(threads));
   for_each_part(threads, points.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
     CommonUnit unit;
@@ -72,6 +72,8 @@ Builder<Index, kIsWeighted>::Builder(std::span<const mesh::Point> points,
     }
     units[part] = unit;
   });
+  PlacedList().swap(order.points);  // before the cells come: no memory for both
+  last_key_ = (std::uint64_t{1} << order.key_bits) - 1;
   for (const CommonUnit& unit : units) unit_.include(unit);
   const Site centre = mean_of_some();
   for (int t = 0; t < threads; ++t) {
@@ -176,8 +178,10 @@ std::vector<Region> Builder<Index, kIsWeighted>::regions(std::span<const Index> 
     return sites_[pending[(2 * i + (is_shifted ? 1 : 0)) * pending.size() / (2 * parts)]].key;
   };
   std::vector<Region> result;
-  for (std::size_t t = 0; t + 1 < parts; ++t) result.push_back({cut(t), cut(t + 1), false});
-  result.push_back({cut(0), cut(parts - 1), true});
+  for (std::size_t t = 0; t + 1 < parts; ++t)
+    result.push_back({cut(t), cut(t + 1) - cut(t), last_key_});
+  const std::uint64_t last = cut(parts - 1);  // its region goes on to the first cut: all, if equal
+  result.push_back({last, ((cut(0) - last - 1) & last_key_) + 1, last_key_});
   return result;
 }
 

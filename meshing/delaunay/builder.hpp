@@ -82,6 +82,7 @@ class Builder {
   std::vector<Inserter<Index, kIsWeighted>> inserters_;
   std::vector<Index> sites_of_points_;          ///< filled when first asked for
   std::vector<std::pair<Index, Index>> twins_;  ///< if weighted: of duplicates, with a vertex once
+  std::uint64_t last_key_ = 0;                  ///< of the curve
   CommonUnit unit_;
   std::size_t duplicates_ = 0;  ///< if not weighted, or flat
   int dimension_ = -1;

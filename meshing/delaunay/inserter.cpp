@@ -161,7 +161,7 @@ typename Inserter<Index, kIsWeighted>::Neighbors Inserter<Index, kIsWeighted>::n
     const bool is_alive = !other.is_marked();
     const Index apex = other.vertices[facet % 4];
     around.alive |= static_cast<unsigned>(is_alive) << j;
-    around.apexes[j] = &sites_[is_alive ? apex : Index{kGhost}];
+    around.apexes[j] = &sites_[is_alive ? apex : cell.vertices[1]];  // at hand, and in the region
     around.facets[j] = facet;
   }
   return around;
@@ -169,9 +169,12 @@ typename Inserter<Index, kIsWeighted>::Neighbors Inserter<Index, kIsWeighted>::n
 
 template <class Index, bool kIsWeighted>
 bool Inserter<Index, kIsWeighted>::leaves_region(const Neighbors& around) const noexcept {
-  const Site* const ghost = &sites_[kGhost];
-  return std::any_of(around.apexes.begin(), around.apexes.end(),
-                     [&](const Site* apex) { return apex != ghost && !walk_.region().has(*apex); });
+  if (walk_.region().has_all(around.apexes)) return false;
+  for (unsigned rest = around.alive; rest != 0; rest &= rest - 1) {
+    const Site* const apex = around.apexes[static_cast<unsigned>(std::countr_zero(rest))];
+    if (apex != &sites_[kGhost] && !walk_.region().has(*apex)) return true;
+  }
+  return false;
 }
 
 /// The neighbours, a bit for each facet, that are in conflict with the site.

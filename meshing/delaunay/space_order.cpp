@@ -128,10 +128,10 @@ class Grid {
 
 /// By the lowest `bits` bits of the keys; equal ones stay in order. Each thread counts and moves a
 /// part of the list; the places of a part follow those of the parts before it.
-void sort_by_key(std::vector<Placed>& points, unsigned bits, int threads) {
+void sort_by_key(PlacedList& points, unsigned bits, int threads) {
   constexpr unsigned kDigit = 11;
   constexpr std::size_t kDigits = std::size_t{1} << kDigit;
-  std::vector<Placed> other(points.size());
+  PlacedList other(points.size());
   std::vector<std::array<std::size_t, kDigits>> places(static_cast<std::size_t>(threads));
   for (unsigned shift = 0; shift < bits; shift += kDigit) {
     const auto digit = [shift](const Placed& p) { return p.key >> shift & (kDigits - 1); };
@@ -167,7 +167,7 @@ void refine(std::span<Placed> group, std::span<const mesh::Point> points) {
   if (group.size() <= kFew) return;
   const auto at = [&](const Placed& p) -> const mesh::Point& { return points[p.point]; };
   const Grid grid(std::span<const Placed>(group), at, kLevels);
-  std::vector<Placed> sorted;
+  PlacedList sorted;
   sorted.reserve(group.size());
   for (const Placed& p : group) sorted.push_back({grid.key_of(at(p)), p.point});
   sort_by_key(sorted, 3 * kLevels, 1);

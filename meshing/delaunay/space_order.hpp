@@ -15,6 +15,7 @@
 #include <span>
 #include <vector>
 
+#include "meshing/delaunay/page_allocator.hpp"
 #include "meshing/mesh/mesh.hpp"
 
 namespace hexatlas::delaunay {
@@ -24,8 +25,10 @@ struct Placed {
   std::uint32_t point = 0;  ///< its number in the input
 };
 
+using PlacedList = std::vector<Placed, PageAllocator<Placed>>;
+
 struct SpaceOrder {
-  std::vector<Placed> points;       ///< in the order of insertion
+  PlacedList points;                ///< in the order of insertion
   std::vector<std::size_t> rounds;  ///< where each round begins, and at last the number of points
   unsigned key_bits = 0;            ///< keys are below 2^key_bits
 };

@@ -21,12 +21,20 @@ namespace hexatlas::delaunay {
 [[nodiscard]] constexpr unsigned opposite_of(unsigned facet) { return (facet + 3) & 3U; }
 [[nodiscard]] constexpr unsigned facet_opposite(unsigned vertex) { return (vertex + 1) & 3U; }
 
-/// Keys from `first` on and below `end`; all others if `is_inverted`.
+/// `length` keys from `first` on, round the circle of all keys from 0 to `last_key`, which is one
+/// less than a power of two.
 struct Region {
-  std::uint64_t first = 0, end = ~std::uint64_t{0};
-  bool is_inverted = false;
-  [[nodiscard]] bool has(const Site& site) const noexcept {
-    return (site.key >= first && site.key < end) != is_inverted;
+  std::uint64_t first = 0, length = 0, last_key = 0;
+  [[nodiscard]] bool has(const Site& site) const noexcept { return excess(site) >> 63U != 0; }
+  [[nodiscard]] bool has_all(const FourSites& sites) const noexcept {
+    const auto& [a, b, c, d] = sites;
+    return (excess(*a) & excess(*b) & excess(*c) & excess(*d)) >> 63U != 0;
+  }
+
+ private:
+  /// How far beyond the end: the highest bit says negative, since keys have fewer bits.
+  [[nodiscard]] std::uint64_t excess(const Site& site) const noexcept {
+    return ((site.key - first) & last_key) - length;
   }
 };
 
@@ -63,7 +71,7 @@ class Walk {
   [[nodiscard]] Index visible_from(const Site& p) const;
   [[nodiscard]] unsigned facets_towards(const Cell<Index>& cell, unsigned entered,
                                         const Site& p) const;
-  [[nodiscard]] unsigned facets_within(const Cell<Index>& cell) const noexcept;
+  [[nodiscard]] Index way_out(const Cell<Index>& cell, unsigned ways) const noexcept;
   [[nodiscard]] bool is_beyond(const Cell<Index>& cell, unsigned vertex, const Site& p) const;
 
   Site centre_;
@@ -85,11 +93,10 @@ Index Walk<Index>::located(const Site& place) {
   unsigned entered = 4;  // the vertex opposite to the facet through which the walk came
   while (true) {
     const Cell<Index>& cell = cells_[at];
-    unsigned ways = facets_towards(cell, entered, place);
+    const unsigned ways = facets_towards(cell, entered, place);
     if (ways == 0) return last_ = at;
-    if (is_confined_) ways &= facets_within(cell);
-    if (ways == 0) return kNone;
-    const Index to = cell.neighbors[opposite_of(static_cast<unsigned>(std::countr_zero(ways)))];
+    const Index to = way_out(cell, ways);
+    if (to == kNone) return kNone;
     at = to / 4;
     entered = static_cast<unsigned>(to % 4);
     if (cells_[at].vertices[entered] == kGhost) return at;
@@ -113,9 +120,8 @@ Index Walk<Index>::visible_from(const Site& p) const {
     unsigned ways = 15U & ~(signs.positive | signs.undecided);
     if ((ways >> facet_opposite(ghost) & 1U) != 0) return at;
     if (entered < 4) ways &= ~(1U << facet_opposite(entered));
-    if (is_confined_) ways &= facets_within(cell);
-    if (ways == 0) return kNone;
-    const Index to = cell.neighbors[opposite_of(static_cast<unsigned>(std::countr_zero(ways)))];
+    const Index to = way_out(cell, ways);
+    if (to == kNone) return kNone;
     at = to / 4;
     entered = static_cast<unsigned>(to % 4);
   }
@@ -139,16 +145,17 @@ unsigned Walk<Index>::facets_towards(const Cell<Index>& cell, unsigned entered,
   return 0;
 }
 
-/// The facets behind which the tetrahedron lies within the region. Requires that the cell does.
+/// Across the first of the facets behind which the tetrahedron lies within the region, if there is
+/// one; kNone otherwise, as cell 0 is none. Requires that the cell lies within.
 template <class Index>
-unsigned Walk<Index>::facets_within(const Cell<Index>& cell) const noexcept {
-  unsigned within = 0;
-  for (unsigned j = 0; j < 4; ++j) {
-    const Index facet = cell.neighbors[opposite_of(j)];
-    const Index apex = cells_[facet / 4].vertices[facet % 4];
-    within |= static_cast<unsigned>(apex == kGhost || region_.has(sites_[apex])) << j;
+Index Walk<Index>::way_out(const Cell<Index>& cell, unsigned ways) const noexcept {
+  for (unsigned rest = ways; rest != 0; rest &= rest - 1) {
+    const Index to = cell.neighbors[opposite_of(static_cast<unsigned>(std::countr_zero(rest)))];
+    if (!is_confined_) return to;
+    const Index apex = cells_[to / 4].vertices[to % 4];
+    if (apex == kGhost || region_.has(sites_[apex])) return to;
   }
-  return within;
+  return kNone;
 }
 
 template <class Index>
