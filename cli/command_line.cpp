@@ -250,6 +250,14 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
          "Hexahedra that exchange may add for a while to the meshes from cuts");
   effort("--collared", search.collared, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round for which collars are grown, those with the largest meshes");
+  effort("--collar-hexahedra", search.max_collar, 1, 200, "Hexahedra of a collar, at most");
+  effort("--collar-widest", search.collars.max_quads, 6, flips::kMaxStateQuads,
+         "Quads of the boundaries inside a collar, at most");
+  effort("--collar-width", search.collars.fronts_per_level, std::size_t{1},
+         std::size_t{100'000'000}, "Collars of one boundary expanded per number of hexahedra");
+  effort("--collar-narrow", search.collars.scars_per_quad, 0U, 1000U,
+         "How much collars with few quads inside are preferred: a quad counts as so many of the "
+         "pairs of vertices that a collar relates");
   effort("--memory", options->memory_gib, 1, 4096, "GiB that the balls may take, about");
   add_seed(*build, search.balls.seed);
   add_threads(*build, options->threads);

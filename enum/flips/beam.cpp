@@ -44,8 +44,8 @@ struct Beam::Chunk {
 
 Beam::Beam(const State& start, const BeamOptions& options)
     : options_(options), store_(limits_of(options)) {
-  core::expects(options.max_quads >= 6 && options.max_quads <= kMaxSearchQuads,
-                "boundaries have from 6 to 26 quads");
+  core::expects(options.max_quads >= 6 && options.max_quads <= kMaxStateQuads,
+                "boundaries have from 6 to 30 quads");
   core::expects(
       options.fronts_per_class >= 1 && options.fronts_per_level >= 1 && options.threads >= 1,
       "limits of a beam are at least 1");
@@ -108,11 +108,12 @@ void Beam::choose_frontier() {
     const auto families = store_.families(shard);
     for (std::size_t f = 0; f < families.size(); ++f) {
       const auto& fronts = families[f].fronts;
+      const std::uint64_t price = options_.scars_per_quad * families[f].code.quads * FrontStore::kScar;
       const std::size_t first = waiting.size();
       for (std::uint32_t place = 0; place < fronts.size(); ++place)
         if (fronts[place].level == level_ && fronts[place].mark == FrontMark::waiting)
           waiting.push_back(
-              {0, store_.rank(fronts[place]), {FrontStore::number_of(shard, f), place}});
+              {0, store_.rank(fronts[place]) + price, {FrontStore::number_of(shard, f), place}});
       std::sort(waiting.begin() + static_cast<std::ptrdiff_t>(first), waiting.end(),
                 [](const Waiting& a, const Waiting& b) {
                   return std::tie(a.rank, a.id) < std::tie(b.rank, b.id);

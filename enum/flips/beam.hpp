@@ -30,10 +30,12 @@
 namespace hexatlas::flips {
 
 struct BeamOptions {
-  int max_quads = 22;                 ///< of boundaries grown, at most kMaxSearchQuads
+  int max_quads = 22;                 ///< of boundaries grown, at most kMaxStateQuads
   std::size_t fronts_per_class = 20;  ///< per level
   std::size_t fronts_per_level = 200'000;
-  std::size_t max_fronts = 60'000'000;  ///< in memory, about 80 bytes each; then no more come
+  std::size_t max_fronts = 60'000'000;  ///< in memory, about 100 bytes each; then no more come
+  /// Among the fronts of different classes a quad of the boundary counts as so many scars.
+  unsigned scars_per_quad = 0;
   std::uint64_t seed = 1;               ///< breaks ties among equally many scars
   int threads = 1;                      ///< does not change the result
   bool use_dominance = true;            ///< off only to test the pruning

@@ -86,7 +86,7 @@ StoredFront get_front(Source& source) {
 template <class Keep>
 void get_family(Source& source, std::size_t shard, Keep&& keep) {
   const int quads = source.get<std::uint8_t>();
-  if (quads < 6 || quads > kMaxSearchQuads) source.refuse("is damaged");
+  if (quads < 6 || quads > kMaxStateQuads) source.refuse("is damaged");
   const auto code = canon::from_binary(quads, source.take(canon::binary_size(quads)));
   if (!code || FrontStore::shard_of(*code) != shard) source.refuse("is damaged");
   const auto count = source.get<std::uint32_t>();
@@ -182,7 +182,7 @@ void Beam::restore_level(std::span<const FrontId> ids, const std::string& name) 
       const Front front = front_of(state(own.parent));
       if (own.flip.bottom >= front.boundary.quads()) throw damaged();
       const int after = front.boundary.quads() + 6 - 2 * own.flip.consumed();
-      if (after < 6 || after > kMaxSearchQuads) throw damaged();
+      if (after < 6 || after > kMaxStateQuads) throw damaged();
       const auto prism = prism_of(front.boundary, own.flip);
       if (!prism || !may_glue(front, own.flip, *prism)) throw damaged();
       const State made = canonical_state(glued(front, own.flip, *prism).front).state;

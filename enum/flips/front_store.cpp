@@ -64,7 +64,7 @@ std::optional<std::uint32_t> FrontStore::find(const canon::Code& code) const noe
 }
 
 std::uint64_t FrontStore::rank(const StoredFront& front) const noexcept {
-  return std::uint64_t{front.size} << 48U | front.scars.hash(limits_.seed + front.level) >> 16U;
+  return front.size * kScar | front.scars.hash(limits_.seed + front.level) >> 16U;
 }
 
 bool FrontStore::is_dominated(const Family& own, const Offer& offer) const noexcept {

@@ -127,6 +127,7 @@ class FrontStore {
 
   /// Order in which fronts of one family are preferred: fewest scars first, ties by a hash.
   [[nodiscard]] std::uint64_t rank(const StoredFront& front) const noexcept;
+  static constexpr std::uint64_t kScar = std::uint64_t{1} << 48U;  ///< what one adds to the rank
 
   /// For restoring a saved store: a family as the next one of its shard, and the scars of its
   /// fronts later. Requires that the code is not there yet.

@@ -60,7 +60,8 @@ class Matcher {
   /// Keeps the least meeting; of equal ones that of the first collar and its first position.
   void match_level(const Beam& collars) {
     const auto frontier = collars.frontier();
-    for (const FrontId collar : frontier) add_class(collars.state(collar).code);
+    for (const FrontId collar : frontier)
+      add_class(collars.state(collar).code, collars.level_of(collar));
     constexpr std::size_t kCollarsPerChunk = 512;
     std::vector<std::optional<Meeting>> found((frontier.size() + kCollarsPerChunk - 1) /
                                               kCollarsPerChunk);
@@ -84,12 +85,14 @@ class Matcher {
   [[nodiscard]] int below() const noexcept { return below_; }
 
  private:
-  void add_class(const canon::Code& code) {
+  /// Where collars of so many hexahedra may meet a ball. Most classes have none, and leave nothing.
+  void add_class(const canon::Code& code, int collar) {
+    const auto least = balls_.least_with(code);
+    if (!least || collar + *least >= below_) return;
     const auto [place, is_new] = known_.try_emplace(code);
     if (!is_new) return;
     Fillings& own = place->second;
     own.balls = balls_.balls_with(code);
-    if (own.balls.empty()) return;
     own.automorphisms = automorphisms_of(code);
     for (std::uint32_t ball = 0; ball < own.balls.size(); ++ball)
       for (std::uint32_t turn = 0; turn < own.automorphisms.size(); ++turn)
@@ -98,7 +101,9 @@ class Matcher {
   }
   [[nodiscard]] std::optional<Meeting> match(const Beam& collars, FrontId collar, int below) const {
     const State cavity = collars.state(collar);
-    const Fillings& own = known_.at(cavity.code);
+    const auto known = known_.find(cavity.code);
+    if (known == known_.end()) return std::nullopt;
+    const Fillings& own = known->second;
     for (const Fillings::Position& position : own.positions) {
       const int hexahedra = collars.level_of(collar) + own.balls[position.ball].hexahedra;
       if (hexahedra >= below) return std::nullopt;

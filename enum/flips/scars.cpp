@@ -32,7 +32,7 @@ std::vector<Position> positions_of(const complex::Quadrangulation& boundary,
 
 Scars Scars::renamed(const canon::Labelling& label) const noexcept {
   Scars result;
-  for (std::size_t high = 1; high < kMaxSearchQuads + 2; ++high)
+  for (std::size_t high = 1; high < kMaxStateQuads + 2; ++high)
     for (std::size_t low = 0; low < high; ++low) {
       const auto a = static_cast<Vertex>(low);
       const auto b = static_cast<Vertex>(high);
@@ -43,15 +43,17 @@ Scars Scars::renamed(const canon::Labelling& label) const noexcept {
 
 std::uint64_t Scars::hash(std::uint64_t seed) const noexcept {
   std::uint64_t h = seed;
-  for (const std::uint64_t word : words_) {
-    h = (h ^ word) * 0x9E3779B97F4A7C15ULL;
+  constexpr std::size_t kAlways = 6;  // as many as boundaries in searches need
+  for (std::size_t i = 0; i < words_.size(); ++i) {
+    if (i >= kAlways && words_[i] == 0) continue;
+    h = (h ^ words_[i]) * 0x9E3779B97F4A7C15ULL;
     h ^= h >> 32U;
   }
   return h;
 }
 
 CanonicalState canonical_state(const Front& front) {
-  core::expects(front.boundary.quads() <= kMaxSearchQuads, "a state has at most 26 quads");
+  core::expects(front.boundary.quads() <= kMaxStateQuads, "a state has at most 30 quads");
   canon::CanonicalFlags flags;
   canon::canonical_flags(front.boundary, flags);
   const Relation quads = relation_of_quads(front.boundary);

@@ -15,8 +15,11 @@
 
 namespace hexatlas::flips {
 
-/// Boundaries in searches have at most 26 quads, so that the pairs of their 28 vertices fit
-/// into six words.
+/// Boundaries of states have at most 30 quads, so that the pairs of their 32 vertices fit into
+/// eight words.
+inline constexpr int kMaxStateQuads = 30;
+/// What searches for small meshes content themselves with: beyond, they take much longer and find
+/// little more.
 inline constexpr int kMaxSearchQuads = 26;
 
 class Scars {
@@ -56,7 +59,7 @@ class Scars {
     const std::size_t high = a < b ? b : a;
     return high * (high - 1) / 2 + low;
   }
-  std::array<std::uint64_t, 6> words_{};
+  std::array<std::uint64_t, 8> words_{};
 };
 
 /// The scars of a relation on `vertices` boundary vertices under a labelling: the related pairs
@@ -84,7 +87,7 @@ struct State {
 };
 
 /// The state of a front, with the labelling that yields it: of all labellings that attain the
-/// code, the one with the least scars. Requires at most kMaxSearchQuads quads.
+/// code, the one with the least scars. Requires at most kMaxStateQuads quads.
 struct CanonicalState {
   State state;
   canon::Labelling label{};

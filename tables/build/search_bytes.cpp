@@ -66,6 +66,7 @@ std::string TableSearch::settings() const {
         static_cast<std::uint64_t>(options_.collars.max_quads),
         std::uint64_t{options_.collars.fronts_per_class},
         std::uint64_t{options_.collars.fronts_per_level},
+        std::uint64_t{options_.collars.scars_per_quad},
         static_cast<std::uint64_t>(options_.max_collar), std::uint64_t{options_.collared}})
     text += ' ' + std::to_string(number);
   return digest_of(text);

@@ -167,7 +167,7 @@ TEST(Beam, StaysWithinItsMemoryAndSaysSo) {
 }
 
 TEST(Beam, OptionsAreChecked) {
-  for (const int quads : {4, flips::kMaxSearchQuads + 1})
+  for (const int quads : {4, flips::kMaxStateQuads + 1})
     EXPECT_THROW(Beam(single(), unlimited(quads)), core::PreconditionViolated);
   BeamOptions options;
   options.threads = 0;
@@ -188,6 +188,54 @@ TEST(Beam, GivesEveryClassItsTurn) {
         if (record.level == level) reached.insert(code);
     EXPECT_EQ(chosen.size(), std::min<std::size_t>(40, reached.size())) << level;
   }
+}
+
+TEST(Beam, AQuadCountsAsSoManyScars) {
+  for (const unsigned price : {0U, 3U, 50U}) {
+    BeamOptions options = unlimited(20);
+    options.fronts_per_class = 1;  // then all of a level stay known, and the order is seen
+    options.fronts_per_level = 30;
+    options.scars_per_quad = price;
+    Beam beam(single(), options);
+    const auto cost = [&](const State& state) {
+      return state.scars.size() + static_cast<int>(price) * state.code.quads;
+    };
+    std::size_t passed_over = 0;
+    for (int level = 1; level <= 8; ++level) {
+      (void)beam.expand_level();
+      const std::set<flips::FrontId> chosen(beam.frontier().begin(), beam.frontier().end());
+      int greatest = 0;
+      for (const auto id : chosen) greatest = std::max(greatest, cost(beam.state(id)));
+      for (const auto& code : beam.codes())
+        for (const auto& record : beam.fronts_of(code)) {
+          if (record.level != level || chosen.contains(record.id)) continue;
+          ++passed_over;
+          EXPECT_GE(cost(beam.state(record.id)), greatest);
+        }
+    }
+    EXPECT_GT(passed_over, 10U) << price;
+  }
+}
+
+TEST(Beam, StatesHaveUpToThirtyQuads) {
+  support::Random random(17);
+  int large = 0;
+  for (int i = 0; i < 300; ++i) {
+    const auto shelling = support::random_shelling(30, flips::kMaxStateQuads, random);
+    const flips::Front& front = shelling.front();
+    large += front.boundary.quads() > flips::kMaxSearchQuads ? 1 : 0;
+    const flips::CanonicalState canonical = flips::canonical_state(front);
+    EXPECT_EQ(flips::canonical_state(flips::front_of(canonical.state)).state, canonical.state);
+    // Each pair is a scar where the front relates it, up to the highest vertices.
+    const auto quads = flips::relation_of_quads(front.boundary);
+    for (int a = 0; a < front.boundary.vertices(); ++a)
+      for (int b = 0; b < a; ++b) {
+        const auto u = static_cast<complex::Vertex>(a), v = static_cast<complex::Vertex>(b);
+        const bool is_scar = ((front.related[u] & ~quads[u]) >> v & 1U) != 0;
+        EXPECT_EQ(canonical.state.scars.has(canonical.label[u], canonical.label[v]), is_scar);
+      }
+  }
+  EXPECT_GT(large, 20);
 }
 
 TEST(Beam, EachStateComesWithItsMesh) {
