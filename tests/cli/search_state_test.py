@@ -89,8 +89,10 @@ class SearchState(program.ProgramTest):
             self.write("bad.state", bad)
             self.expect_fault(self.build("b.hxt", "--state", "bad.state"), "bad.state")
             self.assertEqual(self.read("bad.state"), bad)
-        self.expect_fault(self.build("b.hxt", "--state", "s.state", "--seed", "2"), "s.state")
-        self.expect_fault(self.build("b.hxt", "--state", "s.state", "--widest", "22"), "s.state")
+        for other in (("--seed", "2"), ("--widest", "22"), ("--collar-hexahedra", "5"),
+                      ("--collar-widest", "24"), ("--collar-width", "70"),
+                      ("--collar-narrow", "1")):
+            self.expect_fault(self.build("b.hxt", "--state", "s.state", *other), "s.state")
         self.assertEqual(self.read("s.state"), good)
 
 

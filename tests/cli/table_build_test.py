@@ -132,6 +132,22 @@ class Build(program.ProgramTest):
         self.assertEqual(ran.err, "hexatlas: no mesh found for q1:088a577f; it is not in the table\n")
         self.assertEqual(self.listing(), ["a.census.sqlite", "a.hxt", "a.manifest.json"])
 
+    def test_collars_are_as_thick_and_wide_as_asked_for(self):
+        # A ball of 5 hexahedra, of which the sweep knows 2: a collar of 3 is wanted, with up to 20
+        # quads inside.
+        code = "q1:0208208a97979797ddff"
+        found = {}
+        for options in (("2", "26", "3000", "0"), ("3", "12", "3000", "0"), ("3", "26", "3000", "0"),
+                        ("3", "30", "1", "1000")):
+            thick, widest, width, narrow = options
+            self.hexatlas("table", "build", "-o", "c.hxt", *QUICK[:-2], "--also", code, "--cut", "0",
+                          "--max-hexahedra", "2", "--collared", "5", "--collar-hexahedra", thick,
+                          "--collar-widest", widest, "--collar-width", width,
+                          "--collar-narrow", narrow)
+            ran = self.hexatlas("table", "get", "--table", "c.hxt", "--code", code)
+            found[options] = json.loads(ran.out)["hexahedra"] if ran.code == 0 else None
+        self.assertEqual(list(found.values()), [None, None, 5, 5])
+
 
 if __name__ == "__main__":
     program.main()
