@@ -108,7 +108,8 @@ void Beam::choose_frontier() {
     const auto families = store_.families(shard);
     for (std::size_t f = 0; f < families.size(); ++f) {
       const auto& fronts = families[f].fronts;
-      const std::uint64_t price = options_.scars_per_quad * families[f].code.quads * FrontStore::kScar;
+      const std::uint64_t price =
+          options_.scars_per_quad * families[f].code.quads * FrontStore::kScar;
       const std::size_t first = waiting.size();
       for (std::uint32_t place = 0; place < fronts.size(); ++place)
         if (fronts[place].level == level_ && fronts[place].mark == FrontMark::waiting)

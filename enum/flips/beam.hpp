@@ -36,9 +36,9 @@ struct BeamOptions {
   std::size_t max_fronts = 60'000'000;  ///< in memory, about 100 bytes each; then no more come
   /// Among the fronts of different classes a quad of the boundary counts as so many scars.
   unsigned scars_per_quad = 0;
-  std::uint64_t seed = 1;               ///< breaks ties among equally many scars
-  int threads = 1;                      ///< does not change the result
-  bool use_dominance = true;            ///< off only to test the pruning
+  std::uint64_t seed = 1;     ///< breaks ties among equally many scars
+  int threads = 1;            ///< does not change the result
+  bool use_dominance = true;  ///< off only to test the pruning
 };
 
 /// What a beam knows of one state.

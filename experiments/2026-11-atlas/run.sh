@@ -12,6 +12,11 @@ if [[ "${1:-}" == --search ]]; then
     --rounds 1 --max-hexahedra 1 --cut 2000 --cuts-each 4 --collared 0
   "$program" table build -o hexatlas-again.hxt --start-from hexatlas-22.hxt --rounds 1 --width 60000 \
     --per-class 30 --cut 60 --cuts-each 12 --cut-growths 2000 --cut-interior 7 --cut-uphill 6 --collared 0
+  "$program" table build -o hexatlas-wide.hxt --state wide.state --start-from hexatlas-again.hxt \
+    --width 900000 --per-class 200 --max-hexahedra 50 --rounds 1 --cut 0 --collared 0 --growths 1
+  "$program" table build -o hexatlas-wider.hxt --start-from wide.state --width 900000 --per-class 200 \
+    --max-hexahedra 50 --rounds 1 --cut 60 --cuts-each 6 --cut-growths 600 --cut-interior 6 --cut-uphill 6 \
+    --growths 8 --collared 1 --collar-hexahedra 32 --collar-widest 30 --collar-width 100000 --collar-narrow 3
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys

@@ -46,9 +46,8 @@ struct SearchOptions {
   unsigned cut_uphill = 4;     ///< of exchange, per cut (replacement.hpp)
   /// Some boundaries have no flip that adds less than four quads; those around two vertices of high
   /// degree have no short way back to fewer.
-  flips::BeamOptions collars{.max_quads = flips::kMaxSearchQuads,
-                             .fronts_per_class = 20,
-                             .fronts_per_level = 3'000};
+  flips::BeamOptions collars{
+      .max_quads = flips::kMaxSearchQuads, .fronts_per_class = 20, .fronts_per_level = 3'000};
   int max_collar = 12;         ///< hexahedra
   std::size_t collared = 100;  ///< boundaries per round
 };
