@@ -18,8 +18,7 @@ namespace hexatlas::flips {
 /// Boundaries of states have at most 30 quads, so that the pairs of their 32 vertices fit into
 /// eight words.
 inline constexpr int kMaxStateQuads = 30;
-/// What searches for small meshes content themselves with: beyond, they take much longer and find
-/// little more.
+/// What most searches limit themselves to, in memory and time.
 inline constexpr int kMaxSearchQuads = 26;
 
 class Scars {

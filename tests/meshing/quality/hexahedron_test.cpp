@@ -5,7 +5,6 @@
 // evaluated at rational points in 128-bit integers; mirror images and powers of two. The
 // scaled Jacobian of a parallelepiped by Gram's formula.
 #include "meshing/quality/hexahedron.hpp"
-#include "tests/realize/exact/placed_cells.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +14,8 @@
 #include <cstdint>
 #include <optional>
 #include <random>
+
+#include "tests/realize/exact/placed_cells.hpp"
 
 namespace {
 
