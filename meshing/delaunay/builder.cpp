@@ -20,6 +20,7 @@ using exact::Sign;
 
 constexpr std::size_t kCellsPerPoint = 7;      // of many points in general position, a little more
 constexpr std::size_t kFewPerThread = 2000;    // fewer are not worth a pass
+constexpr std::size_t kKeysPerInsertion = 64;  // in the same time
 constexpr std::size_t kSpareCells = 1U << 16;  // for each thread, besides those of its points
 
 bool are_collinear(const Point3& a, const Point3& b, const Point3& c) {
@@ -73,7 +74,7 @@ Builder<Index, kIsWeighted>::Builder(std::span<const mesh::Point> points,
     units[part] = unit;
   });
   PlacedList().swap(order.points);  // before the cells come: no memory for both
-  last_key_ = (std::uint64_t{1} << order.key_bits) - 1;
+  curves_ = order.curves;
   for (const CommonUnit& unit : units) unit_.include(unit);
   const Site centre = mean_of_some();
   for (int t = 0; t < threads; ++t) {
@@ -131,6 +132,7 @@ template <class Index, bool kIsWeighted>
 void Builder<Index, kIsWeighted>::insert_rounds(std::span<const std::size_t> rounds,
                                                 const std::array<Index, 4>& first) {
   for (std::size_t r = 0; r + 1 < rounds.size(); ++r) {
+    use_curve(0, rounds[r] + kFirstSite);
     std::vector<Index> sites;
     sites.reserve(rounds[r + 1] - rounds[r]);
     for (std::size_t i = rounds[r]; i < rounds[r + 1]; ++i)
@@ -140,7 +142,7 @@ void Builder<Index, kIsWeighted>::insert_rounds(std::span<const std::size_t> rou
     if (inserters_.size() == 1)
       insert_here(sites);
     else
-      insert_in_parts(std::move(sites));
+      insert_in_parts(std::move(sites), rounds[r + 1] + kFirstSite);
   }
 }
 
@@ -150,81 +152,96 @@ void Builder<Index, kIsWeighted>::insert_here(std::span<const Index> sites) {
     if (inserter().insert(s) == Outcome::duplicate) note_duplicate(s, inserter().twin());
 }
 
-/// Ends: a pass that inserts less than half of its sites is the last.
+/// Of sites before `end`. Ends: a pass that inserts less than one of as many sites as there are
+/// threads is the last. With two threads the second pass cuts the same curve elsewhere, since most
+/// of a border is then inside; with more it needs another curve, which costs a look at all sites.
 template <class Index, bool kIsWeighted>
-void Builder<Index, kIsWeighted>::insert_in_parts(std::vector<Index> pending) {
-  bool is_shifted = false, is_worth_it = true;
-  while (is_worth_it && pending.size() >= kFewPerThread * inserters_.size()) {
-    cells_.reserve(cells_.size() + kCellsPerPoint * pending.size() +
-                   kSpareCells * inserters_.size());
-    std::vector<Index> left = inserted_in_parts(pending, is_shifted);
-    std::sort(left.begin(), left.end(), [&](Index a, Index b) {
-      return std::pair(sites_[a].key, a) < std::pair(sites_[b].key, b);
-    });
-    is_shifted = !is_shifted;
-    is_worth_it = 2 * left.size() <= pending.size();
+void Builder<Index, kIsWeighted>::insert_in_parts(std::vector<Index> pending, std::size_t end) {
+  const std::size_t threads = inserters_.size();
+  const unsigned passes_per_curve = threads == 2 ? 2 : 1;
+  bool is_worth_it = true;
+  for (unsigned pass = 0; is_worth_it && pending.size() >= kFewPerThread * threads; ++pass) {
+    const unsigned curve = pass / passes_per_curve;
+    if (curve > 0 && kKeysPerInsertion * (threads - 1) * pending.size() < end) break;
+    use_curve(curve, end);
+    if (curve > 0 && pass % passes_per_curve == 0) sort_by_keys(pending);
+    cells_.reserve(cells_.size() + kCellsPerPoint * pending.size() + kSpareCells * threads);
+    std::vector<Index> left = inserted_in_parts(pending, pass % passes_per_curve != 0);
+    is_worth_it = left.size() <= pending.size() - pending.size() / threads;
     pending = std::move(left);
   }
   insert_here(pending);
 }
 
-/// The curve, thought of as closed, is cut where the pending sites are as many in each part; if
-/// shifted, in the middle between these cuts. Requires sites by ascending keys.
+/// For the keys of the sites before `end`.
 template <class Index, bool kIsWeighted>
-std::vector<Region> Builder<Index, kIsWeighted>::regions(std::span<const Index> pending,
-                                                         bool is_shifted) const {
-  const std::size_t parts = inserters_.size();
-  const auto cut = [&](std::size_t i) {
-    return sites_[pending[(2 * i + (is_shifted ? 1 : 0)) * pending.size() / (2 * parts)]].key;
-  };
-  std::vector<Region> result;
-  for (std::size_t t = 0; t + 1 < parts; ++t)
-    result.push_back({cut(t), cut(t + 1) - cut(t), last_key_});
-  const std::uint64_t last = cut(parts - 1);  // its region goes on to the first cut: all, if equal
-  result.push_back({last, ((cut(0) - last - 1) & last_key_) + 1, last_key_});
-  return result;
+void Builder<Index, kIsWeighted>::use_curve(unsigned curve, std::size_t end) {
+  if (curve == curve_) return;
+  const std::size_t count = end - kFirstSite;
+  for_each_part(static_cast<int>(inserters_.size()), count,
+                [&](std::size_t, std::size_t from, std::size_t to) {
+                  for (std::size_t i = from; i < to; ++i) {
+                    Site& site = sites_[i + kFirstSite];
+                    site.key = curves_.key_of({site.x, site.y, site.z}, curve);
+                  }
+                });
+  curve_ = curve;
 }
 
-/// The sites that were not inserted.
 template <class Index, bool kIsWeighted>
-std::vector<Index> Builder<Index, kIsWeighted>::inserted_in_parts(std::span<const Index> pending,
+void Builder<Index, kIsWeighted>::sort_by_keys(std::vector<Index>& pending) const {
+  PlacedList placed;
+  placed.reserve(pending.size());
+  for (const Index s : pending) placed.push_back({sites_[s].key, static_cast<std::uint32_t>(s)});
+  sort_by_key(placed, curves_.key_bits(curve_), static_cast<int>(inserters_.size()));
+  for (std::size_t i = 0; i < placed.size(); ++i) pending[i] = placed[i].point;
+}
+
+/// The curve, which is closed, is cut where the pending sites are as many in each part; if shifted,
+/// in the middle between these cuts. Each part has its sites in the order of the curve, the first
+/// of all sites being that of the first part: this is how they are reordered. Requires sites by
+/// ascending keys.
+template <class Index, bool kIsWeighted>
+std::vector<typename Builder<Index, kIsWeighted>::Part> Builder<Index, kIsWeighted>::parts_of(
+    std::vector<Index>& pending, bool is_shifted) const {
+  const std::size_t count = inserters_.size();
+  std::vector<std::uint64_t> cuts;
+  std::vector<std::size_t> begins;
+  for (std::size_t t = 0; t < count; ++t) {
+    const std::size_t at = (2 * t + (is_shifted ? 1 : 0)) * pending.size() / (2 * count);
+    cuts.push_back(sites_[pending[at]].key);
+    const auto has_less = [&](Index s, std::uint64_t key) { return sites_[s].key < key; };
+    const auto begin = std::lower_bound(pending.begin(), pending.end(), cuts.back(), has_less);
+    begins.push_back(static_cast<std::size_t>(begin - pending.begin()));
+  }
+  const std::size_t first = begins.front();
+  std::rotate(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(first), pending.end());
+  begins.push_back(first + pending.size());
+  const std::uint64_t last_key = (std::uint64_t{1} << curves_.key_bits(curve_)) - 1;
+  std::vector<Part> parts(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    parts[t].sites = std::span(pending).subspan(begins[t] - first, begins[t + 1] - begins[t]);
+    // The last region goes on to the first cut: all keys, if there is but one.
+    const std::uint64_t length =
+        t + 1 < count ? cuts[t + 1] - cuts[t] : ((cuts[0] - cuts[t] - 1) & last_key) + 1;
+    parts[t].region = {cuts[t], length, last_key};
+  }
+  return parts;
+}
+
+/// The sites that were not inserted, by ascending keys again.
+template <class Index, bool kIsWeighted>
+std::vector<Index> Builder<Index, kIsWeighted>::inserted_in_parts(std::vector<Index>& pending,
                                                                   bool is_shifted) {
-  struct Part {
-    std::vector<Index> sites, left;
-    std::vector<std::pair<Index, Index>> duplicates;
-    bool has_changed = false;
-  };
-  const std::vector<Region> all_regions = regions(pending, is_shifted);
-  std::vector<Part> parts(inserters_.size());
-  for (const Index s : pending) {
-    std::size_t t = 0;
-    while (!all_regions[t].has(sites_[s])) ++t;
-    parts[t].sites.push_back(s);
-  }
+  std::vector<Part> parts = parts_of(pending, is_shifted);
   Index in_use = inserter().walk().start();
-  std::vector<Index> starts;
-  for (std::size_t t = 0; t < parts.size(); ++t)
-    starts.push_back(start_in(all_regions[t], parts[t].sites));
+  for (Part& part : parts) part.start = start_in(part.region, part.sites);
   for (std::size_t t = 0; t < parts.size(); ++t) {
-    inserters_[t].walk().start_at(starts[t]);
-    inserters_[t].walk().confine_to(all_regions[t]);
+    inserters_[t].walk().start_at(parts[t].start);
+    inserters_[t].walk().confine_to(parts[t].region);
   }
-  parallel::parallel_for(static_cast<int>(parts.size()), parts.size(), [&](std::size_t t) {
-    Part& part = parts[t];
-    if (starts[t] == kNone) {
-      part.left.swap(part.sites);
-      return;
-    }
-    for (const Index s : part.sites) {
-      const Outcome outcome = inserters_[t].insert(s);
-      if (outcome == Outcome::inserted)
-        part.has_changed = true;
-      else if (outcome == Outcome::duplicate)
-        part.duplicates.emplace_back(s, inserters_[t].twin());
-      else if (outcome != Outcome::hidden)
-        part.left.push_back(s);
-    }
-  });
+  parallel::parallel_for(static_cast<int>(parts.size()), parts.size(),
+                         [&](std::size_t t) { insert_part(inserters_[t], parts[t]); });
   std::vector<Index> left;
   for (std::size_t t = 0; t < parts.size(); ++t) {
     inserters_[t].walk().release();
@@ -233,7 +250,28 @@ std::vector<Index> Builder<Index, kIsWeighted>::inserted_in_parts(std::span<cons
     for (const auto& [site, twin] : parts[t].duplicates) note_duplicate(site, twin);
   }
   inserter().walk().start_at(in_use);
+  const auto has_less = [&](Index a, Index b) {
+    return std::pair(sites_[a].key, a) < std::pair(sites_[b].key, b);
+  };
+  std::rotate(left.begin(), std::is_sorted_until(left.begin(), left.end(), has_less), left.end());
   return left;
+}
+
+template <class Index, bool kIsWeighted>
+void Builder<Index, kIsWeighted>::insert_part(Inserter<Index, kIsWeighted>& inserter, Part& part) {
+  if (part.start == kNone) {
+    part.left.assign(part.sites.begin(), part.sites.end());
+    return;
+  }
+  for (const Index s : part.sites) {
+    const Outcome outcome = inserter.insert(s);
+    if (outcome == Outcome::inserted)
+      part.has_changed = true;
+    else if (outcome == Outcome::duplicate)
+      part.duplicates.emplace_back(s, inserter.twin());
+    else if (outcome != Outcome::hidden)
+      part.left.push_back(s);
+  }
 }
 
 /// A cell within the region, near some of its sites, or kNone. No facet of the hull: a walk begins

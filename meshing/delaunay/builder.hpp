@@ -17,6 +17,7 @@
 
 #include "meshing/delaunay/cells.hpp"
 #include "meshing/delaunay/common_unit.hpp"
+#include "meshing/delaunay/curves.hpp"
 #include "meshing/delaunay/inserter.hpp"
 #include "meshing/delaunay/page_buffer.hpp"
 #include "meshing/delaunay/site.hpp"
@@ -61,14 +62,26 @@ class Builder {
   void for_each_around(mesh::Index point, Visit&& visit);
 
  private:
+  /// The work of one thread in a pass.
+  struct alignas(kApart) Part {
+    Region region;
+    std::span<const Index> sites;
+    Index start = kNone;      ///< a cell within the region
+    std::vector<Index> left;  ///< those not inserted
+    std::vector<std::pair<Index, Index>> duplicates;
+    bool has_changed = false;
+  };
+
   [[nodiscard]] Site mean_of_some() const noexcept;
   [[nodiscard]] bool find_first_four(std::array<Index, 4>& first);
   void insert_rounds(std::span<const std::size_t> rounds, const std::array<Index, 4>& first);
   void insert_here(std::span<const Index> sites);
-  void insert_in_parts(std::vector<Index> pending);
-  [[nodiscard]] std::vector<Region> regions(std::span<const Index> pending, bool is_shifted) const;
-  [[nodiscard]] std::vector<Index> inserted_in_parts(std::span<const Index> pending,
-                                                     bool is_shifted);
+  void insert_in_parts(std::vector<Index> pending, std::size_t end);
+  void use_curve(unsigned curve, std::size_t end);
+  void sort_by_keys(std::vector<Index>& pending) const;
+  [[nodiscard]] std::vector<Part> parts_of(std::vector<Index>& pending, bool is_shifted) const;
+  [[nodiscard]] std::vector<Index> inserted_in_parts(std::vector<Index>& pending, bool is_shifted);
+  static void insert_part(Inserter<Index, kIsWeighted>& inserter, Part& part);
   void note_duplicate(Index site, Index twin);
   [[nodiscard]] std::vector<bool> vertices() const;
   [[nodiscard]] Index site_of(mesh::Index point);
@@ -82,7 +95,8 @@ class Builder {
   std::vector<Inserter<Index, kIsWeighted>> inserters_;
   std::vector<Index> sites_of_points_;          ///< filled when first asked for
   std::vector<std::pair<Index, Index>> twins_;  ///< if weighted: of duplicates, with a vertex once
-  std::uint64_t last_key_ = 0;                  ///< of the curve
+  Curves curves_;
+  unsigned curve_ = 0;  ///< that the keys of sites before the end of the present round are of
   CommonUnit unit_;
   std::size_t duplicates_ = 0;  ///< if not weighted, or flat
   int dimension_ = -1;

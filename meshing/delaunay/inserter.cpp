@@ -167,10 +167,12 @@ typename Inserter<Index, kIsWeighted>::Neighbors Inserter<Index, kIsWeighted>::n
   return around;
 }
 
+/// Whether one of the given neighbours, which the cavity is to have, does.
 template <class Index, bool kIsWeighted>
-bool Inserter<Index, kIsWeighted>::leaves_region(const Neighbors& around) const noexcept {
+bool Inserter<Index, kIsWeighted>::leaves_region(const Neighbors& around,
+                                                 unsigned inside) const noexcept {
   if (walk_.region().has_all(around.apexes)) return false;
-  for (unsigned rest = around.alive; rest != 0; rest &= rest - 1) {
+  for (unsigned rest = inside; rest != 0; rest &= rest - 1) {
     const Site* const apex = around.apexes[static_cast<unsigned>(std::countr_zero(rest))];
     if (apex != &sites_[kGhost] && !walk_.region().has(*apex)) return true;
   }
@@ -220,8 +222,8 @@ bool Inserter<Index, kIsWeighted>::dig(Index start, const Site& p) {
     make_room(doomed_, doomed_count_ + 4);
     make_room(walls_, facet_count_ + 4);
     const Neighbors around = neighbors_of(cells_[doomed_[k] / 4]);
-    if (walk_.is_confined() && leaves_region(around)) return false;
     const unsigned inside = conflicting(around, p);
+    if (walk_.is_confined() && leaves_region(around, inside)) return false;
     const unsigned outside = around.alive & ~inside;
     // Written in any case, counted if it applies: which it is cannot be foretold.
     for (unsigned j = 0; j < 4; ++j) {

@@ -13,10 +13,10 @@
 /// tetrahedron that contains it is in no tetrahedron, now or later; sites inside of a cavity are in
 /// none from then on.
 ///
-/// Several threads. An inserter with a region touches only tetrahedra whose vertices, the ghost
-/// vertex apart, all lie in the region, and looks at neighbours of such. A neighbour shares at
-/// least two vertices with it besides the ghost vertex, so that no inserter of another region
-/// touches it: docs/theory/parallel-delaunay.md.
+/// Several threads. An inserter with a region removes only tetrahedra whose vertices, the ghost
+/// vertex apart, all lie in the region, and looks at neighbours of such, or joins new ones to them.
+/// A neighbour shares at least two vertices with it besides the ghost vertex, so that no inserter
+/// of another region reaches it: docs/theory/parallel-delaunay.md.
 ///
 /// Cost for points in a good order: about 20 tetrahedra of the cavity, 27 new ones.
 
@@ -44,8 +44,11 @@ enum class Outcome : std::uint8_t {
   no_room     ///< for the new tetrahedra
 };
 
+/// As far apart as processors fetch memory, in pairs of lines: threads have one each.
+inline constexpr std::size_t kApart = 128;
+
 template <class Index, bool kIsWeighted>
-class Inserter {
+class alignas(kApart) Inserter {
  public:
   using Claim = typename StarLinks<Index>::Claim;
 
@@ -88,7 +91,7 @@ class Inserter {
 
   [[nodiscard]] bool dig(Index start, const Site& p);
   [[nodiscard]] Neighbors neighbors_of(const Tetrahedron& cell) const noexcept;
-  [[nodiscard]] bool leaves_region(const Neighbors& around) const noexcept;
+  [[nodiscard]] bool leaves_region(const Neighbors& around, unsigned inside) const noexcept;
   [[nodiscard]] unsigned conflicting(const Neighbors& around, const Site& p) const;
   [[nodiscard]] unsigned conflicting_exactly(const Neighbors& around, unsigned facets,
                                              const Site& p) const;

@@ -4,10 +4,9 @@
 ///
 /// Definition. Points are dealt into rounds, each about eight times as large as the one before,
 /// by a random choice that depends on their numbers and a seed only; within a round they follow a
-/// Moore curve through the bounding box: a closed curve of eight Hilbert curves. So a point is near
-/// the one before it, and whatever the input is, each prefix of rounds is a random sample. Sources:
-/// N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO" (2003); the curve by C.
-/// Hamilton, A. Rau-Chaplin, "Compact Hilbert indices" (2008).
+/// curve (curves.hpp). So a point is near the one before it, and whatever the input is, each prefix
+/// of rounds is a random sample. Source: N. Amenta, S. Choi, G. Rote, "Incremental constructions
+/// con BRIO" (2003).
 ///
 /// Cost: linear, some 100 ns per point.
 
@@ -15,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "meshing/delaunay/curves.hpp"
 #include "meshing/delaunay/page_allocator.hpp"
 #include "meshing/mesh/mesh.hpp"
 
@@ -30,8 +30,11 @@ using PlacedList = std::vector<Placed, PageAllocator<Placed>>;
 struct SpaceOrder {
   PlacedList points;                ///< in the order of insertion
   std::vector<std::size_t> rounds;  ///< where each round begins, and at last the number of points
-  unsigned key_bits = 0;            ///< keys are below 2^key_bits
+  Curves curves;                    ///< the keys are those of curve 0
 };
+
+/// By the lowest `bits` bits of the keys; equal ones stay in order. Requires threads >= 1.
+void sort_by_key(PlacedList& points, unsigned bits, int threads);
 
 /// Requires finite coordinates, threads >= 1. The same for any number of threads.
 [[nodiscard]] SpaceOrder space_order(std::span<const mesh::Point> points, std::uint64_t seed,

@@ -10,8 +10,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <set>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "tests/meshing/delaunay/clouds.hpp"
@@ -50,9 +53,35 @@ void expect_order(const SpaceOrder& order, std::size_t count) {
   for (std::size_t r = 0; r + 1 < order.rounds.size(); ++r) {
     ASSERT_LE(order.rounds[r], order.rounds[r + 1]);
     for (std::size_t i = order.rounds[r]; i < order.rounds[r + 1]; ++i) {
-      ASSERT_LT(order.points[i].key >> order.key_bits, 1U);
+      ASSERT_LT(order.points[i].key >> order.curves.key_bits(), 1U);
       ASSERT_TRUE(i == order.rounds[r] || order.points[i - 1].key <= order.points[i].key);
     }
+  }
+}
+
+/// On the lattice points of a cube each curve has them all at different places, and those of most
+/// neighbours along it are neighbours in space, as far as it does not leave the cube.
+TEST(Curves, AreDifferentWaysThroughTheSamePoints) {
+  constexpr int kSide = 16;
+  const auto points = grid(kSide, 1);
+  const delaunay::Curves curves(std::span<const mesh::Point>(points), std::identity(), 4);
+  std::set<std::vector<std::size_t>> ways;
+  for (unsigned curve = 0; curve < 6; ++curve) {
+    std::vector<std::pair<std::uint64_t, std::size_t>> way;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      way.emplace_back(curves.key_of(points[i], curve), i);
+    std::sort(way.begin(), way.end());
+    EXPECT_EQ(way.back().first >> curves.key_bits(curve), 0U);
+    std::vector<std::size_t> order;
+    std::size_t jumps = 0;
+    for (std::size_t k = 0; k < way.size(); ++k) {
+      order.push_back(way[k].second);
+      if (k == 0) continue;
+      EXPECT_LT(way[k - 1].first, way[k].first);
+      if (distance(points[way[k - 1].second], points[way[k].second]) > 1) ++jumps;
+    }
+    EXPECT_LE(jumps, curve == 0 ? 0U : points.size() / 8) << curve;
+    EXPECT_TRUE(ways.insert(order).second) << curve;
   }
 }
 

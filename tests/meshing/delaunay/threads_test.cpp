@@ -35,6 +35,12 @@ TEST(DelaunayThreads, GeneralPosition) {
   expect_same(uniform(14000, random), {2, 4});
 }
 
+/// With three threads there are enough left over for a pass along another curve.
+TEST(DelaunayThreads, SeveralCurves) {
+  Random random(20261268);
+  expect_same(uniform(20000, random), {3});
+}
+
 /// Nearly all tetrahedra are at the hull.
 TEST(DelaunayThreads, Surface) {
   Random random(20261262);
