@@ -281,8 +281,12 @@ Tightest tightest(PartialMesh& mesh, const OpenFacets& open, int new_vertices) {
   std::array<Candidate, kMaxFacets> order;
   for (std::size_t place = 0; place < open.size(); ++place) {
     std::uint64_t combinations = 1;
-    for (const VertexSet tops : open.above(place))
-      combinations *= static_cast<std::uint64_t>(std::popcount(tops)) + (new_vertices > 0 ? 1 : 0);
+    const Facet& facet = mesh.facet(open.number(place));
+    for (std::size_t i = 0; i < facet.size(); ++i) {
+      const bool may_be_new = new_vertices > 0 && !mesh.is_saturated(facet[i]);
+      combinations *= static_cast<std::uint64_t>(std::popcount(open.above(place)[i])) +
+                      static_cast<std::uint64_t>(may_be_new);
+    }
     order[place] = {combinations, place};
   }
   const std::size_t counted = std::min(kCounted, open.size());

@@ -113,7 +113,14 @@ VertexSet PartialMesh::next_tops() const noexcept {
     const Vertex t = top_[j];
     result &= ~(bit(t) | ((tops_ - j) % 2 == 1 ? no_edge_from(t) : not_diagonal_[t]));
   }
-  return vertices_left() > 0 ? result | bit(static_cast<std::size_t>(vertices_)) : result;
+  const bool has_new = vertices_left() > 0 && may_be_new(tops_);
+  return has_new ? result | bit(static_cast<std::size_t>(vertices_)) : result;
+}
+
+/// Whether a new vertex above corner i of the bottom has edges to none that is saturated.
+bool PartialMesh::may_be_new(std::size_t i) const noexcept {
+  return !is_saturated(facet(bottom_)[i]) && (i == 0 || !is_saturated(top_[i - 1])) &&
+         (i < 3 || !is_saturated(top_[0]));
 }
 
 int PartialMesh::weight_on(int facet_number, int new_vertices, int limit) noexcept {
@@ -142,7 +149,7 @@ int PartialMesh::weight_of_tops(std::size_t i, const Tops& tops, NewTops left, i
     const auto top = static_cast<Vertex>(std::countr_zero(old));
     go_on(top, no_edge_from(top), not_diagonal_[top], left);
   }
-  if (left.vertices > 0 && weight < limit)
+  if (left.vertices > 0 && weight < limit && may_be_new(i))
     go_on(static_cast<Vertex>(vertices_ + left.vertices - 1), 0, 0,
           {.vertices = left.vertices - 1, .each = left.each / 2});
   return weight;

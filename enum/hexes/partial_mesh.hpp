@@ -137,6 +137,21 @@ class PartialMesh {
     return vertices_ - edge_count_ + facet_count_ - static_cast<int>(cells_.size()) - 1;
   }
 
+  /// Vertices with open facets.
+  [[nodiscard]] VertexSet open_vertices() const noexcept { return open_vertices_; }
+  /// Those of them that share no hexahedron with v yet, nor a quad of the boundary.
+  [[nodiscard]] VertexSet unrelated_open(Vertex v) const noexcept {
+    return open_vertices_ & ~related_[v];
+  }
+  [[nodiscard]] VertexSet of_other_colour(Vertex v) const noexcept {
+    return colour_[1U - colour_of_[v]];
+  }
+
+  /// From now on no edge is added at these vertices. Requires that only balls are asked for.
+  void saturate(VertexSet vertices) noexcept { saturated_ = vertices; }
+  [[nodiscard]] VertexSet saturated() const noexcept { return saturated_; }
+  [[nodiscard]] bool is_saturated(Vertex v) const noexcept { return (saturated_ & bit(v)) != 0; }
+
   /// Begins a hexahedron. Requires that none is begun and the facet is open.
   void begin(int bottom) noexcept;
   [[nodiscard]] bool has_begun() const noexcept { return bottom_ >= 0; }
@@ -190,8 +205,12 @@ class PartialMesh {
   void undo_complete() noexcept;
   /// The vertices that make with v no edge of a further hexahedron.
   [[nodiscard]] VertexSet no_edge_from(Vertex v) const noexcept {
-    return ball_ ? not_edge_[v] | closed_edge_[v] : not_edge_[v];
+    if (!ball_) return not_edge_[v];
+    const VertexSet no_new_edge = is_saturated(v) ? ~VertexSet{0} : saturated_;
+    const VertexSet edges = not_diagonal_[v] & ~not_edge_[v];
+    return not_edge_[v] | closed_edge_[v] | (no_new_edge & ~edges);
   }
+  [[nodiscard]] bool may_be_new(std::size_t i) const noexcept;
   void open(int number) noexcept;
   void close(int number) noexcept;
   void add_vertex(Vertex v, unsigned colour) noexcept;
@@ -208,6 +227,7 @@ class PartialMesh {
   /// The neighbours of a vertex along edges without an open facet.
   std::array<VertexSet, kMaxMeshVertices> closed_edge_{};
   VertexSet open_vertices_ = 0;
+  VertexSet saturated_ = 0;
   template <class T>
   using PerPair = std::array<std::array<T, kMaxMeshVertices>, kMaxMeshVertices>;
   PerPair<std::int16_t> at_{};

@@ -4,6 +4,7 @@
 
 #include "enum/cells/cube.hpp"
 #include "enum/core/checks.hpp"
+#include "enum/hexes/partners.hpp"
 
 namespace hexatlas::hexes {
 
@@ -33,6 +34,16 @@ bool HexSearch::is_refuted_by_last() {
          refute(Refutation::Rule::symmetry);
 }
 
+/// Requires open facets. Otherwise says which vertices are saturated, also to the mesh.
+bool HexSearch::is_refuted_by_partners(Level& level) {
+  if (!limits_.ball || !prunings_.partners) return false;
+  const Partners partners = partners_of(mesh_, mesh_.saturated());
+  if (partners.are_too_few) return refute(Refutation::Rule::partners);
+  level.saturated = partners.saturated;
+  mesh_.saturate(level.saturated);
+  return false;
+}
+
 /// Requires open facets. Otherwise says how many vertices the next hexahedron may bring.
 bool HexSearch::is_refuted_by_budgets(int left, Level& level) {
   if ((prunings_.face_budget || left == 0) && exceeds_face_budget(mesh_, left))
@@ -51,7 +62,7 @@ bool HexSearch::open_level() {
   Level level;
   if (mesh_.open_count() > 0) {
     const int left = limits_.max_hexahedra - static_cast<int>(mesh_.cells().size());
-    if (is_refuted_by_budgets(left, level)) return false;
+    if (is_refuted_by_partners(level) || is_refuted_by_budgets(left, level)) return false;
     const Tightest next = tightest(mesh_, open_, level.new_vertices);
     if (prunings_.candidates && next.is_refuted) {
       refutation_.places.assign(1, mesh_.open().place_of(next.facet));
@@ -84,12 +95,16 @@ bool HexSearch::apply(Choice choice) {
     return false;
   }
   if (mesh_.has_begun() || open_level()) return true;
+  mesh_.saturate(levels_.back().saturated);
   mesh_.take_off();
   return false;
 }
 
 void HexSearch::undo() noexcept {
-  if (mesh_.has_just_completed()) levels_.pop_back();
+  if (mesh_.has_just_completed()) {
+    levels_.pop_back();
+    mesh_.saturate(levels_.back().saturated);
+  }
   mesh_.take_off();
 }
 

@@ -39,6 +39,7 @@ struct Prunings {
   bool ears = true;           ///< its ears
   bool candidates = true;     ///< Tightest::is_refuted
   bool cover = true;          ///< facets_apart()
+  bool partners = true;       ///< partners_of(); for balls only
 };
 
 /// Why no mesh within the limits follows from a state (docs/formats/bound.md).
@@ -50,7 +51,8 @@ struct Refutation {
     link,           ///< closes_badly()
     symmetry,       ///< BoundarySymmetry
     facets_apart,   ///< facets_apart()
-    no_candidate    ///< tightest()
+    no_candidate,   ///< tightest()
+    partners        ///< partners_of(); no log has it
   };
   Rule rule = Rule::tops;
   /// Among the open facets of the state, by ascending number: of facets_apart; the facet of
@@ -124,10 +126,12 @@ class HexSearch {
   struct Level {
     int bottom = -1;       ///< of the hexahedron begun after this one
     int new_vertices = 0;  ///< that it may bring
+    VertexSet saturated = 0;
   };
 
   [[nodiscard]] bool open_level();
   [[nodiscard]] bool is_refuted_by_last();
+  [[nodiscard]] bool is_refuted_by_partners(Level& level);
   [[nodiscard]] bool is_refuted_by_budgets(int left, Level& level);
   bool refute(Refutation::Rule rule) {
     refutation_.rule = rule;

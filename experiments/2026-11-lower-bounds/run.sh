@@ -35,7 +35,7 @@ print(*sys.argv[2:6], counts["nodes"], *sys.argv[6:], sep="\t")
   for hexes in 12 13 14 15 16 17 18; do search schneiders-pyramid ball "$hexes" -; done
   for hexes in 12 13 14 15 16; do search schneiders-pyramid any "$hexes" -; done
   for hexes in 16 17 18 19 20 21 22; do search octagonal-spindle ball "$hexes" -; done
-  for interior in 9 10 11 12 13; do search schneiders-pyramid ball 64 "$interior"; done
+  for interior in 9 10 11 12 13 14; do search schneiders-pyramid ball 64 "$interior"; done
 } >"$work/result.tsv"
 mv "$work/result.tsv" result.tsv
 {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kFirstLine = "hexatlas-search 1";
 /// Of the search tree: to be raised when HexSearch takes its choices in another order.
-constexpr int kTreeVersion = 1;
+constexpr int kTreeVersion = 2;
 
 std::string_view yes_or_no(bool value) { return value ? "yes" : "no"; }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "enum/hexes/partners.hpp"
 #include "enum/hexes/search.hpp"
 #include "tables/format/table.hpp"
 #include "tests/enum/support.hpp"
@@ -129,6 +130,11 @@ void expect_refuted_in_no_order(const Entry& known, bool ball, support::Random& 
                                static_cast<int>(known.mesh.vertices) - mesh.vertices()));
     std::vector<int> open;
     mesh.open().for_each([&](int facet) { open.push_back(facet); });
+    if (ball) {
+      const hexes::Partners partners = partners_of(mesh, mesh.saturated());
+      ASSERT_FALSE(partners.are_too_few);
+      mesh.saturate(partners.saturated);
+    }
     mesh.begin(open[random.below(open.size())]);
     for (const Vertex top : source.put_on(mesh.facet(mesh.bottom()))) {
       ASSERT_NE(mesh.next_tops() & hexes::bit(top), 0U);
