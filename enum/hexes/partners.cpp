@@ -12,11 +12,12 @@ namespace {
 class Needs {
  public:
   Needs(const PartialMesh& mesh, Vertex v)
-      : open_(mesh.open_at(v)), discs_(2 - mesh.link_euler(v)), left_(mesh.vertices_left()) {
-    const VertexSet strangers = mesh.unrelated_open(v);
-    others_ = strangers & mesh.of_other_colour(v);
-    other_count_ = std::popcount(others_);
-    same_count_ = std::popcount(strangers) - other_count_;
+      : open_(mesh.open_at(v)),
+        discs_(2 - mesh.link_euler(v)),
+        left_(mesh.vertices_left()),
+        others_(mesh.unrelated_open(v) & mesh.of_other_colour(v)),
+        other_count_(std::popcount(others_)),
+        same_count_(std::popcount(mesh.unrelated_open(v)) - other_count_) {
     if (mesh.is_interior(v))
       least_ = std::max(0, (4 - mesh.cells_at(v) - open_ + 2 * discs_ + 1) / 2);
   }
@@ -38,8 +39,8 @@ class Needs {
 
  private:
   int open_, discs_, left_;
-  VertexSet others_ = 0;
-  int other_count_ = 0, same_count_ = 0;
+  VertexSet others_;
+  int other_count_, same_count_;
   int least_ = 0;
 };
 
