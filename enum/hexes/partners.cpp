@@ -1,7 +1,6 @@
 #include "enum/hexes/partners.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 
 namespace hexatlas::hexes {
