@@ -65,7 +65,7 @@ void refine(std::span<Placed> group, std::span<const mesh::Point> points) {
   PlacedList sorted;
   sorted.reserve(group.size());
   for (const Placed& p : group) sorted.push_back({curves.key_of(at(p)), p.point});
-  sort_by_key(sorted, 3 * kLevels, 1);
+  sort_by_key(sorted, curves.key_bits(), 1);
   if (sorted.front().key == sorted.back().key) return;
   for (std::size_t i = 0; i < group.size(); ++i) group[i].point = sorted[i].point;
   for_each_group(std::span<const Placed>(sorted), [&](std::size_t begin, std::size_t end) {
@@ -82,26 +82,26 @@ SpaceOrder space_order(std::span<const mesh::Point> points, std::uint64_t seed, 
   const unsigned levels = std::min(kMostLevels, bits / 3 + kExtraLevels);
   const unsigned rounds = 1 + (bits > kFirstRoundBits ? (bits - kFirstRoundBits) / kRoundBits : 0);
   order.curves = Curves(points, std::identity(), levels);
+  const unsigned key_bits = order.curves.key_bits();
   order.points.resize(points.size());
   const auto place = [&](std::size_t i) {
     const auto zeros = static_cast<unsigned>(std::countl_zero(core::mixed(seed + i)));
     const std::uint64_t round = rounds - 1 - std::min(rounds - 1, zeros / kRoundBits);
-    order.points[i] = {round << (3 * levels) | order.curves.key_of(points[i]),
+    order.points[i] = {round << key_bits | order.curves.key_of(points[i]),
                        static_cast<std::uint32_t>(i)};
   };
   for_each_part(threads, points.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) place(i);
   });
-  sort_by_key(order.points, 3 * levels + static_cast<unsigned>(std::bit_width(rounds - 1)),
-              threads);
+  sort_by_key(order.points, key_bits + static_cast<unsigned>(std::bit_width(rounds - 1)), threads);
   for_each_group(std::span<const Placed>(order.points), [&](std::size_t begin, std::size_t end) {
     refine(std::span(order.points).subspan(begin, end - begin), points);
   });
   order.rounds.assign(1, 0);
   for (std::size_t i = 0; i < order.points.size(); ++i) {
-    const std::uint64_t round = order.points[i].key >> (3 * levels);
+    const std::uint64_t round = order.points[i].key >> key_bits;
     while (order.rounds.size() <= round) order.rounds.push_back(i);
-    order.points[i].key &= (std::uint64_t{1} << (3 * levels)) - 1;
+    order.points[i].key &= (std::uint64_t{1} << key_bits) - 1;
   }
   order.rounds.push_back(points.size());
   return order;

@@ -1,5 +1,5 @@
-// Claim. Large inputs of many kinds have the same tetrahedra for 1, 2, 3, 4, 7, 16 threads, which
-// are those of the Delaunay triangulation. Oracle. One thread; laws.hpp.
+// Claim. Large inputs have the same tetrahedra for 1, 2, 3, 4, 7, 16 threads: the Delaunay ones.
+// Oracle. One thread; laws.hpp.
 #include <gtest/gtest.h>
 
 #include <cstdint>
