@@ -18,7 +18,7 @@ class Writer {
  public:
   Writer(const complex::Quadrangulation& boundary, const SearchLimits& limits,
          const std::atomic<bool>* stop)
-      : search_(boundary, limits, {.partners = false}), stop_(stop) {}
+      : search_(boundary, limits, {.barred_tops = false}), stop_(stop) {}
 
   /// The states with `depth` hexahedra are left out: segments() are the bytes between them.
   void write_top(std::size_t depth) {
@@ -88,7 +88,6 @@ class Writer {
   void refutation() {
     using Rule = Refutation::Rule;
     const Refutation& why = search_.refutation();
-    if (why.rule == Rule::tops) return;
     if (why.rule == Rule::no_candidate) {
       branch(why.places.front());
       return;

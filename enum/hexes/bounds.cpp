@@ -218,7 +218,8 @@ void OpenFacets::list(const PartialMesh& mesh) {
   mesh.open().for_each([&](int number) {
     const Facet& f = mesh.facet(number);
     number_.push_back(number);
-    above_.push_back({mesh.above(f, 0), mesh.above(f, 1), mesh.above(f, 2), mesh.above(f, 3)});
+    above_.push_back({mesh.tops_over(number, 0), mesh.tops_over(number, 1),
+                      mesh.tops_over(number, 2), mesh.tops_over(number, 3)});
     for (const Vertex v : f) ++count[v];
   });
   vertices_ = 0;
@@ -242,6 +243,17 @@ bool closes_badly(const PartialMesh& mesh) {
     if (mesh.open_at(v) == 0 ? discs != 0 : 3 * discs > mesh.open_at(v)) return true;
   }
   return false;
+}
+
+/// No component needs to save a corner, no edge to have two facets of one hexahedron.
+bool is_ample(const PartialMesh& mesh, int left) noexcept {
+  int due = 4 * mesh.new_vertices().all;
+  for_each(mesh.open_vertices(), [&](Vertex v) {
+    due += mesh.is_interior(v) ? std::max(mesh.open_at(v), 4 - mesh.cells_at(v)) : mesh.open_at(v);
+  });
+  const int most_edges = 2 * mesh.open_count();
+  const int for_edges = 3 * (mesh.new_vertices().all + mesh.euler()) + mesh.open_count() / 2;
+  return due <= 8 * left && (!mesh.is_for_balls() || for_edges + most_edges <= 6 * left);
 }
 
 int new_vertices_within(const PartialMesh& mesh, const OpenFacets& open, int left, bool ears) {
@@ -270,35 +282,33 @@ int new_vertices_within(const PartialMesh& mesh, const OpenFacets& open, int lef
   return for_edges < 0 ? -1 : std::min(room / 4, for_edges / 3);
 }
 
-Tightest tightest(PartialMesh& mesh, const OpenFacets& open, int new_vertices) {
+Tightest tightest(PartialMesh& mesh, const NewVertices& new_vertices) {
   struct Candidate {
     std::uint64_t combinations = 0;
-    std::size_t place = 0;
+    int facet = 0;
     bool operator<(const Candidate& other) const {
-      return std::tie(combinations, place) < std::tie(other.combinations, other.place);
+      return std::tie(combinations, facet) < std::tie(other.combinations, other.facet);
     }
   };
   std::array<Candidate, kMaxFacets> order;
-  for (std::size_t place = 0; place < open.size(); ++place) {
+  std::size_t count = 0;
+  mesh.open().for_each([&](int number) {
     std::uint64_t combinations = 1;
-    const Facet& facet = mesh.facet(open.number(place));
-    for (std::size_t i = 0; i < facet.size(); ++i) {
-      const bool may_be_new = new_vertices > 0 && !mesh.is_saturated(facet[i]);
-      combinations *= static_cast<std::uint64_t>(std::popcount(open.above(place)[i])) +
-                      static_cast<std::uint64_t>(may_be_new);
-    }
-    order[place] = {combinations, place};
-  }
-  const std::size_t counted = std::min(kCounted, open.size());
-  std::partial_sort(order.begin(), order.begin() + counted, order.begin() + open.size());
+    for (std::size_t i = 0; i < 4; ++i)
+      combinations *= static_cast<std::uint64_t>(
+          std::popcount(mesh.tops_over(number, i)) +
+          static_cast<int>(mesh.may_be_new_over(mesh.facet(number)[i], new_vertices)));
+    order[count++] = {combinations, number};
+  });
+  const std::size_t counted = std::min(kCounted, count);
+  std::partial_sort(order.begin(), order.begin() + counted, order.begin() + count);
   Tightest result;
   int least = std::numeric_limits<int>::max();
   for (std::size_t i = 0; i < counted && least > 0; ++i) {
-    const int facet = open.number(order[i].place);
-    const int weight = mesh.weight_on(facet, new_vertices, least);
+    const int weight = mesh.weight_on(order[i].facet, new_vertices, least);
     if (weight >= least) continue;
     least = weight;
-    result.facet = facet;
+    result.facet = order[i].facet;
   }
   result.is_refuted = least == 0;
   return result;

@@ -52,6 +52,9 @@ class OpenFacets {
 /// only. Requires a hexahedron.
 [[nodiscard]] bool closes_badly(const PartialMesh& mesh);
 
+/// Whether new_vertices_within() needs no look: there is room for all vertices that may be new.
+[[nodiscard]] bool is_ample(const PartialMesh& mesh, int left) noexcept;
+
 /// How many new vertices `left` hexahedra may bring, by counting corners; negative if they are too
 /// few for the vertices that there are. With `ears`, two open facets with a common edge are asked
 /// whether one hexahedron may have both.
@@ -64,9 +67,9 @@ struct Tightest {
   bool is_refuted = false;  ///< on some facet there can be none
 };
 /// Of the kCounted facets with the fewest combinations of top vertices, whose hexahedra are
-/// counted. `new_vertices`: at most so many in one hexahedron. Requires an open facet. Restores the
+/// counted. `new_vertices`: at most these in one hexahedron. Requires an open facet. Restores the
 /// mesh.
-[[nodiscard]] Tightest tightest(PartialMesh& mesh, const OpenFacets& open, int new_vertices);
+[[nodiscard]] Tightest tightest(PartialMesh& mesh, const NewVertices& new_vertices);
 inline constexpr std::size_t kCounted = 10;
 
 /// Whether open facets a and b, by place in the list, may be facets of one hexahedron, as far as

@@ -4,9 +4,7 @@
 ///
 /// Classes. Two meshes are of one class if an automorphism of the boundary, mirror symmetries
 /// included, and a numbering of the interior vertices take one to the other. Each class is met
-/// once: HexSearch finds an image of each mesh, and of the images the one with the least *walk* is
-/// kept: the hexahedra in the order in which they are met from the quads of the boundary on,
-/// beginning with the one on which the search begins.
+/// once, by the image whose path comes first (path_symmetry.hpp).
 
 #include <cstddef>
 #include <cstdint>
@@ -44,7 +42,7 @@ class HexmeshProblem {
   [[nodiscard]] const complex::Quadrangulation& boundary() const noexcept { return boundary_; }
   [[nodiscard]] const SearchLimits& limits() const noexcept { return limits_; }
   /// Order of the group of the boundary.
-  [[nodiscard]] int symmetries() const noexcept;
+  [[nodiscard]] int symmetries() const noexcept { return symmetries_; }
 
   /// Part `index` of `parts` of a new search, from which its classes add up to those of the whole.
   [[nodiscard]] HexFrontier begin(std::size_t index = 0, std::size_t parts = 1) const;
@@ -62,7 +60,7 @@ class HexmeshProblem {
   SearchLimits limits_;
   HexSearch
       start_;  ///< in its initial state: copied for each part, which is quicker than made anew
-  BoundarySymmetry symmetry_;
+  int symmetries_;
 };
 
 /// Whether a mesh whose boundary is a sphere is a ball: by the laws and a shelling, or by what no

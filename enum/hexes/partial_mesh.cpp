@@ -1,5 +1,7 @@
 #include "enum/hexes/partial_mesh.hpp"
 
+#include <algorithm>
+
 #include "enum/core/checks.hpp"
 
 namespace hexatlas::hexes {
@@ -19,11 +21,12 @@ Facet tops_over(const Cell& cell, const Facet& facet) noexcept {
 }
 
 PartialMesh::PartialMesh(const complex::Quadrangulation& boundary, int max_vertices, bool ball)
-    : boundary_vertices_(boundary.vertices()), max_vertices_(max_vertices), ball_(ball) {
+    : boundary_vertices_(boundary.vertices()), ball_(ball) {
   core::expects(boundary.is_three_connected(), "the boundary is 3-connected");
   core::expects(boundary_vertices_ <= max_vertices && max_vertices <= kMaxMeshVertices,
                 "the vertices fit into one word");
   for (auto& row : at_) row.fill(-1);
+  cells_on_.fill({-1, -1});
   std::array<int, kMaxMeshVertices> colour{};
   colour.fill(-1);
   colour[0] = 0;
@@ -40,6 +43,7 @@ PartialMesh::PartialMesh(const complex::Quadrangulation& boundary, int max_verti
   }
   for (int v = 0; v < boundary_vertices_; ++v)
     add_vertex(static_cast<Vertex>(v), static_cast<unsigned>(colour[static_cast<std::size_t>(v)]));
+  new_vertices_ = {.all = max_vertices - boundary_vertices_};
   for (int q = 0; q < boundary.quads(); ++q) {
     const Facet facet = boundary.vertices_of(q);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -58,12 +62,31 @@ PartialMesh::PartialMesh(const complex::Quadrangulation& boundary, int max_verti
   edge_count_ = 2 * boundary.quads();
 }
 
+bool PartialMesh::balance() noexcept {
+  const int surplus = (std::popcount(colour_[1]) - std::popcount(colour_[0])) / 2;
+  new_vertices_.of_colour = {surplus, 0};
+  is_balanced_ = true;
+  new_vertices_ = new_vertices(new_vertices_.all);
+  return new_vertices_.of_colour[0] >= 0 && new_vertices_.of_colour[1] >= 0;
+}
+
+NewVertices PartialMesh::new_vertices(int most) const noexcept {
+  NewVertices result = new_vertices_;
+  result.all = std::min(result.all, most);
+  if (!is_balanced_) return result;
+  const int surplus = result.of_colour[0] - result.of_colour[1];
+  const int second = (result.all - surplus) >> 1;
+  return {.all = 2 * second + surplus, .of_colour = {second + surplus, second}};
+}
+
 void PartialMesh::open(int number) noexcept {
   open_.add(number);
   ++open_count_;
   const Facet& f = facet(number);
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vertex u = f[i], v = f[(i + 1) % 4];
+    const Vertex u = f[i], v = f[(i + 1) % 4], w = f[(i + 2) % 4];
+    beyond_[v][u] |= bit(w);
+    beyond_[v][w] |= bit(u);
     if (open_at_[u]++ == 0) open_vertices_ |= bit(u);
     open_at_edge_[v][u] = ++open_at_edge_[u][v];
     closed_edge_[u] &= ~bit(v);
@@ -76,7 +99,9 @@ void PartialMesh::close(int number) noexcept {
   --open_count_;
   const Facet& f = facet(number);
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vertex u = f[i], v = f[(i + 1) % 4];
+    const Vertex u = f[i], v = f[(i + 1) % 4], w = f[(i + 2) % 4];
+    beyond_[v][u] &= ~bit(w);
+    beyond_[v][w] &= ~bit(u);
     if (--open_at_[u] == 0) open_vertices_ &= ~bit(u);
     open_at_edge_[v][u] = --open_at_edge_[u][v];
     if (open_at_edge_[u][v] != 0) continue;
@@ -92,12 +117,14 @@ void PartialMesh::add_vertex(Vertex v, unsigned colour) noexcept {
   colour_[colour] |= self;
   colour_of_[v] = static_cast<std::uint8_t>(colour);
   cells_at_[v] = 0;
+  new_vertices_.add(colour, -1);
   ++vertices_;
 }
 
 void PartialMesh::remove_vertex(Vertex v) noexcept {
   all_ &= ~bit(v);
   colour_[colour_of_[v]] &= ~bit(v);
+  new_vertices_.add(colour_of_[v], 1);
   --vertices_;
 }
 
@@ -106,82 +133,88 @@ void PartialMesh::begin(int bottom) noexcept {
   tops_ = 0;
 }
 
-VertexSet PartialMesh::next_tops() const noexcept {
-  const Facet& b = facet(bottom_);
-  VertexSet result = above(b, tops_);
-  for (std::size_t j = 0; j < tops_; ++j) {
-    const Vertex t = top_[j];
-    result &= ~(bit(t) | ((tops_ - j) % 2 == 1 ? no_edge_from(t) : not_diagonal_[t]));
-  }
-  const bool has_new = vertices_left() > 0 && may_be_new(tops_);
-  return has_new ? result | bit(static_cast<std::size_t>(vertices_)) : result;
+VertexSet PartialMesh::next_tops(const NewVertices& new_vertices) const noexcept {
+  VertexSet tops = tops_over(bottom_, tops_);
+  if (may_be_new(tops_, without_new_tops(new_vertices)))
+    tops |= bit(static_cast<std::size_t>(vertices_));
+  return fitting_tops(tops_, tops);
 }
 
-/// Whether a new vertex above corner i of the bottom has edges to none that is saturated.
-bool PartialMesh::may_be_new(std::size_t i) const noexcept {
-  return !is_saturated(facet(bottom_)[i]) && (i == 0 || !is_saturated(top_[i - 1])) &&
+/// Whether there may be a new vertex above corner i of the bottom; it has edges to none that is
+/// saturated.
+bool PartialMesh::may_be_new(std::size_t i, const NewVertices& left) const noexcept {
+  return may_be_new_over(facet(bottom_)[i], left) && (i == 0 || !is_saturated(top_[i - 1])) &&
          (i < 3 || !is_saturated(top_[0]));
 }
 
-int PartialMesh::weight_on(int facet_number, int new_vertices, int limit) noexcept {
+int PartialMesh::weight_on(int facet_number, const NewVertices& new_vertices, int limit) noexcept {
   begin(facet_number);
-  const Facet& b = facet(facet_number);
-  const int weight = weight_of_tops(0, {above(b, 0), above(b, 1), above(b, 2), above(b, 3)},
-                                    {.vertices = new_vertices, .each = kHexahedronWeight}, limit);
+  Tops tops{};
+  for (std::size_t i = 0; i < tops.size(); ++i) tops[i] = tops_over(facet_number, i);
+  const int weight =
+      weight_of_tops(0, tops, {.left = new_vertices, .each = kHexahedronWeight}, limit);
   bottom_ = -1;
   return weight;
 }
 
-int PartialMesh::weight_of_tops(std::size_t i, const Tops& tops, NewTops left, int limit) noexcept {
+int PartialMesh::weight_of_tops(std::size_t i, const Tops& tops, const NewTops& then,
+                                int limit) noexcept {
+  const VertexSet a_new_one =
+      may_be_new(i, then.left) ? bit(static_cast<std::size_t>(vertices_)) : 0;
+  VertexSet left = fitting_tops(i, tops[i] | a_new_one);
+  NewTops next{.left = then.left, .each = then.each / 2};
+  next.left.add(other_colour(facet(bottom_)[i]), -1);
+  const bool has_new = (left & a_new_one) != 0;
+  left &= ~a_new_one;
+  if (i == 3) return then.each * std::popcount(left) + (has_new ? next.each : 0);
   int weight = 0;
-  const auto go_on = [&](Vertex top, VertexSet not_edge, VertexSet not_diagonal, NewTops then) {
-    top_[i] = top;
-    if (!facets_fit(i, top)) return;
-    if (i == 3) {
-      weight += then.each;
-      return;
-    }
-    Tops rest = tops;
-    for (std::size_t j = i + 1; j < 4; ++j) rest[j] &= ~((j - i) == 2 ? not_diagonal : not_edge);
-    weight += weight_of_tops(i + 1, rest, then, limit - weight);
-  };
-  for (VertexSet old = tops[i]; old != 0 && weight < limit; old &= old - 1) {
-    const auto top = static_cast<Vertex>(std::countr_zero(old));
-    go_on(top, no_edge_from(top), not_diagonal_[top], left);
+  for (; left != 0 && weight < limit; left &= left - 1) {
+    top_[i] = static_cast<Vertex>(std::countr_zero(left));
+    weight += weight_of_tops(i + 1, tops, then, limit - weight);
   }
-  if (left.vertices > 0 && weight < limit && may_be_new(i))
-    go_on(static_cast<Vertex>(vertices_ + left.vertices - 1), 0, 0,
-          {.vertices = left.vertices - 1, .each = left.each / 2});
+  if (has_new && weight < limit) {
+    top_[i] = static_cast<Vertex>(vertices_ + next.left.all);
+    weight += weight_of_tops(i + 1, tops, next, limit - weight);
+  }
   return weight;
 }
 
-/// If there is a facet with the diagonal, it is open, has `between` next to it, and `opposite`
-/// (-1: not known yet) beyond.
-bool PartialMesh::diagonal_fits(std::size_t from, std::size_t to, Vertex between,
-                                int opposite) const noexcept {
-  const int number = at_[from][to];
-  if (number < 0) return true;
-  if (!open_.has(number)) return false;
+Vertex PartialMesh::opposite(int number, Vertex v) const noexcept {
   const Facet& f = facet(number);
-  for (std::size_t k = 0; k < 4; ++k)
-    if (f[k] == between) return opposite < 0 || f[(k + 2) % 4] == opposite;
-  return false;
+  std::size_t at = 0;
+  while (f[at] != v) ++at;
+  return f[(at + 2) % 4];
 }
 
-/// Whether the side over bottom corners i and j, both tops known, is no facet yet or an open one.
-bool PartialMesh::side_fits(const Facet& b, std::size_t i, std::size_t j) const noexcept {
-  const int number = at_[b[i]][top_[j]];
-  return number == at_[b[j]][top_[i]] && (number < 0 || open_.has(number));
+/// The vertices w for which a facet with from, corner, w in a row would have a diagonal that is
+/// one of a facet already, but not of an open one with these three.
+VertexSet PartialMesh::bent_at(Vertex from, Vertex corner) const noexcept {
+  return diagonals_from(from) & ~beyond_[corner][from];
 }
 
-bool PartialMesh::facets_fit(std::size_t i, Vertex top) const noexcept {
+/// The vertices that complete p, q, r to a facet: that of the open facet with these three in a row,
+/// or any that have no facet diagonal with q. Requires that r is not bent_at(p, q).
+VertexSet PartialMesh::closing(Vertex p, Vertex q, Vertex r) const noexcept {
+  const int number = at_[p][r];
+  return number >= 0 ? bit(opposite(number, q)) : ~diagonals_from(q);
+}
+
+VertexSet PartialMesh::tops_over(int number, std::size_t i) const noexcept {
+  const Facet& b = facet(number);
+  return above(b, i) & ~barred_tops_[static_cast<std::size_t>(number)][i] &
+         ~bent_at(b[(i + 1) % 4], b[i]) & ~bent_at(b[(i + 3) % 4], b[i]);
+}
+
+/// Those of the vertices that may be above corner i that fit the tops before it.
+VertexSet PartialMesh::fitting_tops(std::size_t i, VertexSet tops) const noexcept {
+  if (i == 0) return tops;
   const Facet& b = facet(bottom_);
-  const std::size_t after = (i + 1) % 4, before = (i + 3) % 4;
-  if (!diagonal_fits(b[after], top, b[i], after < i ? top_[after] : -1)) return false;
-  if (!diagonal_fits(b[before], top, b[i], before < i ? top_[before] : -1)) return false;
-  if (i >= 1 && !side_fits(b, i - 1, i)) return false;
-  if (i >= 2 && !diagonal_fits(top_[i - 2], top, top_[i - 1], i == 3 ? top_[0] : -1)) return false;
-  return i < 3 || (side_fits(b, 3, 0) && at_[top_[0]][top_[2]] == at_[top_[1]][top_[3]]);
+  tops &= ~(bit(top_[i - 1]) | no_edge_from(top_[i - 1])) & closing(top_[i - 1], b[i - 1], b[i]);
+  if (i == 1) return tops;
+  tops &= ~(bit(top_[i - 2]) | not_diagonal_[top_[i - 2]]);
+  if (i == 2) return tops & ~bent_at(top_[0], top_[1]);
+  return tops & ~(bit(top_[0]) | no_edge_from(top_[0])) & closing(top_[0], b[0], b[3]) &
+         closing(top_[0], top_[1], top_[2]);
 }
 
 void PartialMesh::relate(std::size_t i, Vertex top, Step& step) noexcept {
@@ -227,10 +260,9 @@ void PartialMesh::unrelate(std::size_t i, const Step& step) noexcept {
   related_[top] &= ~(step.edges | step.diagonals | bit(far));
 }
 
-bool PartialMesh::put(Vertex top) {
+void PartialMesh::put(Vertex top) {
   const std::size_t i = tops_;
   top_[i] = top;
-  if (!facets_fit(i, top)) return false;
   Step step{.top = top, .is_new = top == vertices_};
   if (step.is_new) add_vertex(top, 1U - colour_of_[facet(bottom_)[i]]);
   relate(i, top, step);
@@ -239,10 +271,9 @@ bool PartialMesh::put(Vertex top) {
     complete();
   else
     ++tops_;
-  return true;
 }
 
-/// facets_fit() has seen to it that each of the facets is a new one or an open one.
+/// next_tops() has seen to it that each of the facets is a new one or an open one.
 void PartialMesh::complete() {
   Cell cell{};
   const Facet& b = facet(bottom_);
@@ -251,8 +282,11 @@ void PartialMesh::complete() {
     cell[4 + i] = top_[i];
   }
   Completed done{.bottom = bottom_, .facets = facet_count_};
+  const auto cell_number = static_cast<std::int16_t>(cells_.size());
   const auto close_one = [&](int number) {
     close(number);
+    auto& cells = cells_on_[static_cast<std::size_t>(number)];
+    cells[cells[0] < 0 ? 0 : 1] = cell_number;
     done.closed[static_cast<std::size_t>(done.closed_count++)] = number;
   };
   close_one(bottom_);
@@ -266,6 +300,7 @@ void PartialMesh::complete() {
     }
     const auto fresh = static_cast<std::int16_t>(facet_count_);
     at_[f[0]][f[2]] = at_[f[2]][f[0]] = at_[f[1]][f[3]] = at_[f[3]][f[1]] = fresh;
+    cells_on_[static_cast<std::size_t>(facet_count_)] = {cell_number, -1};
     facets_[static_cast<std::size_t>(facet_count_++)] = f;
     open(fresh);
   }
@@ -283,7 +318,12 @@ void PartialMesh::undo_complete() noexcept {
     at_[f[0]][f[2]] = at_[f[2]][f[0]] = at_[f[1]][f[3]] = at_[f[3]][f[1]] = -1;
     close(facet_count_);
   }
-  for (int k = 0; k < done.closed_count; ++k) open(done.closed[static_cast<std::size_t>(k)]);
+  for (int k = 0; k < done.closed_count; ++k) {
+    const int number = done.closed[static_cast<std::size_t>(k)];
+    auto& cells = cells_on_[static_cast<std::size_t>(number)];
+    cells[cells[1] < 0 ? 0 : 1] = -1;
+    open(number);
+  }
   bottom_ = done.bottom;
   for (std::size_t i = 0; i < 4; ++i) top_[i] = cells_.back()[4 + i];
   tops_ = 3;
@@ -292,11 +332,11 @@ void PartialMesh::undo_complete() noexcept {
   completed_.pop_back();
 }
 
-int PartialMesh::new_tops() const noexcept {
-  int count = 0;
+NewVertices PartialMesh::without_new_tops(NewVertices new_vertices) const noexcept {
   for (std::size_t i = 0; i < tops_; ++i)
-    if (steps_[steps_.size() - 1 - i].is_new) ++count;
-  return count;
+    if (steps_[steps_.size() - tops_ + i].is_new)
+      new_vertices.add(other_colour(facet(bottom_)[i]), -1);
+  return new_vertices;
 }
 
 void PartialMesh::take_off() noexcept {

@@ -14,6 +14,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "enum/complex/quadrangulation.hpp"
@@ -32,6 +33,21 @@ inline constexpr int kMaxFacets = complex::kMaxQuads + 5 * kMaxHexahedra;
 
 /// The vertices of a facet, around it.
 using Facet = std::array<Vertex, 4>;
+
+/// How many vertices may be new.
+struct NewVertices {
+  int all = 0;
+  std::array<int, 2> of_colour{kMaxMeshVertices, kMaxMeshVertices};
+
+  [[nodiscard]] bool permit(unsigned colour) const noexcept {
+    return all > 0 && of_colour[colour] > 0;
+  }
+  void add(unsigned colour, int count) noexcept {
+    all += count;
+    of_colour[colour] += count;
+  }
+};
+
 /// Bottom vertices b0 .. b3 around a facet, then the top vertices t0 .. t3 above them.
 using Cell = std::array<Vertex, 8>;
 
@@ -95,7 +111,10 @@ class PartialMesh {
   [[nodiscard]] int vertices() const noexcept { return vertices_; }
   [[nodiscard]] int boundary_vertices() const noexcept { return boundary_vertices_; }
   /// How many more vertices there may be.
-  [[nodiscard]] int vertices_left() const noexcept { return max_vertices_ - vertices_; }
+  [[nodiscard]] const NewVertices& new_vertices() const noexcept { return new_vertices_; }
+  /// How many more there may be if they are at most so many. Where the mesh is balanced,
+  /// of_colour is less than 0 if there is no balance with as few.
+  [[nodiscard]] NewVertices new_vertices(int most) const noexcept;
   [[nodiscard]] const std::vector<Cell>& cells() const noexcept { return cells_; }
   [[nodiscard]] const FacetSet& open() const noexcept { return open_; }
   [[nodiscard]] int open_count() const noexcept { return open_count_; }
@@ -105,6 +124,10 @@ class PartialMesh {
   [[nodiscard]] bool is_open(int number) const noexcept { return open_.has(number); }
   /// The number of the facet with this diagonal, or -1.
   [[nodiscard]] int facet_at(std::size_t u, std::size_t v) const noexcept { return at_[u][v]; }
+  /// The hexahedra with this facet; -1 for none.
+  [[nodiscard]] const std::array<std::int16_t, 2>& cells_on(int facet) const noexcept {
+    return cells_on_[static_cast<std::size_t>(facet)];
+  }
   [[nodiscard]] bool is_interior(int v) const noexcept { return v >= boundary_vertices_; }
   /// Hexahedra at a vertex.
   [[nodiscard]] int cells_at(int v) const noexcept {
@@ -112,14 +135,12 @@ class PartialMesh {
   }
 
   /// The vertices there are that may be above corner i of an open facet, as far as pairs with the
-  /// facet tell.
-  [[nodiscard]] VertexSet above(const Facet& facet, std::size_t i) const noexcept {
-    const Facet& b = facet;
-    const VertexSet barred = no_edge_from(b[i]) | not_diagonal_[b[(i + 1) % 4]] |
-                             not_diagonal_[b[(i + 3) % 4]] | related_[b[(i + 2) % 4]];
-    return ~barred & (ball_ ? colour_[1 - colour_of_[b[i]]] & open_vertices_ : all_);
+  /// facet and the sides of a hexahedron there tell, less those barred.
+  [[nodiscard]] VertexSet tops_over(int number, std::size_t i) const noexcept;
+  /// Whether a new vertex may be above a corner at v.
+  [[nodiscard]] bool may_be_new_over(Vertex v, const NewVertices& new_vertices) const noexcept {
+    return new_vertices.permit(other_colour(v)) && !is_saturated(v);
   }
-
   /// Open facets at a vertex.
   [[nodiscard]] int open_at(Vertex v) const noexcept { return open_at_[v]; }
   /// Open facets at the edge uv.
@@ -127,7 +148,7 @@ class PartialMesh {
   /// Euler characteristic of the part of the link of v that is there, as a part of a sphere: the
   /// outside of the boundary is a face of it.
   [[nodiscard]] int link_euler(Vertex v) const noexcept {
-    const int edges = std::popcount(not_diagonal_[v] & ~not_edge_[v]);
+    const int edges = std::popcount(edges_from(v));
     const int facets = std::popcount(not_edge_[v] & ~not_diagonal_[v]);
     return edges - facets + cells_at_[v] + (is_interior(v) ? 0 : 1);
   }
@@ -144,7 +165,24 @@ class PartialMesh {
     return open_vertices_ & ~related_[v];
   }
   [[nodiscard]] VertexSet of_other_colour(Vertex v) const noexcept {
-    return colour_[1U - colour_of_[v]];
+    return colour_[other_colour(v)];
+  }
+  [[nodiscard]] unsigned other_colour(Vertex v) const noexcept { return 1U - colour_of_[v]; }
+
+  /// From now on the new vertices of the two colours are limited by what they are in every ball
+  /// with at most as many interior vertices: their difference is known (section 9 of the proof
+  /// note). False if there is no such ball. Requires a state without hexahedra, for balls.
+  [[nodiscard]] bool balance() noexcept;
+
+  /// From now on these vertices are not put above a corner of a facet, beside those barred so far,
+  /// which are returned.
+  VertexSet bar_tops(int facet, std::size_t corner, VertexSet tops) noexcept {
+    VertexSet& barred = barred_tops_[static_cast<std::size_t>(facet)][corner];
+    return std::exchange(barred, barred | tops);
+  }
+  /// From now on these are barred there, and no others.
+  void permit_tops(int facet, std::size_t corner, VertexSet barred) noexcept {
+    barred_tops_[static_cast<std::size_t>(facet)][corner] = barred;
   }
 
   /// From now on no edge is added at these vertices. Requires that only balls are asked for.
@@ -156,23 +194,21 @@ class PartialMesh {
   void begin(int bottom) noexcept;
   [[nodiscard]] bool has_begun() const noexcept { return bottom_ >= 0; }
   [[nodiscard]] int bottom() const noexcept { return bottom_; }
-  /// The vertices that may be the next top vertex, as far as pairs tell; vertices() stands for a
-  /// new one. Requires a hexahedron begun.
-  [[nodiscard]] VertexSet next_tops() const noexcept;
-  /// The hexahedra that may be put on an open facet, with at most `new_vertices` new ones, which
-  /// are the sequences of put(): the sum of kHexahedronWeight, halved for each new vertex, over
-  /// them, or something not less than `limit`. Requires that none is begun.
-  [[nodiscard]] int weight_on(int facet, int new_vertices, int limit) noexcept;
+  /// The vertices that may be the next top vertex; vertices() stands for a new one. With the last
+  /// one the hexahedron obeys the strict rule. `new_vertices`: what all tops may bring. Requires a
+  /// hexahedron begun.
+  [[nodiscard]] VertexSet next_tops(const NewVertices& new_vertices) const noexcept;
+  /// The hexahedra that may be put on an open facet, with at most `new_vertices`, which are the
+  /// sequences of put(): the sum of kHexahedronWeight, halved for each new vertex, over them, or
+  /// something not less than `limit`. Requires that none is begun.
+  [[nodiscard]] int weight_on(int facet, const NewVertices& new_vertices, int limit) noexcept;
   /// Puts the next top vertex there; with the fourth one the hexahedron is complete, and none is
-  /// begun. False, and nothing changed, if the strict rule is broken. Requires an element of
-  /// next_tops().
-  [[nodiscard]] bool put(Vertex top);
+  /// begun. Requires an element of next_tops().
+  void put(Vertex top);
   /// Takes the last top vertex off again. What begin() did stays if it was the first one.
   void take_off() noexcept;
   /// Whether the last put() completed a hexahedron.
   [[nodiscard]] bool has_just_completed() const noexcept { return bottom_ < 0 || tops_ == 0; }
-  /// New vertices among the tops of the hexahedron begun.
-  [[nodiscard]] int new_tops() const noexcept;
 
  private:
   struct Step {
@@ -187,37 +223,55 @@ class PartialMesh {
     std::array<int, 6> closed{};
   };
 
-  /// Vertices there are that may be at each corner of the top.
+  /// The vertices that may be above each corner of a facet; vertices() stands for a new one.
   using Tops = std::array<VertexSet, 4>;
   struct NewTops {
-    int vertices = 0;  ///< that may still come
-    int each = 0;      ///< weight of a hexahedron without more of them
+    NewVertices left;
+    int each = 0;  ///< weight of a hexahedron without more of them
   };
-  [[nodiscard]] int weight_of_tops(std::size_t i, const Tops& tops, NewTops left,
+  [[nodiscard]] int weight_of_tops(std::size_t i, const Tops& tops, const NewTops& then,
                                    int limit) noexcept;
-  [[nodiscard]] bool side_fits(const Facet& b, std::size_t i, std::size_t j) const noexcept;
-  [[nodiscard]] bool diagonal_fits(std::size_t from, std::size_t to, Vertex between,
-                                   int opposite) const noexcept;
-  [[nodiscard]] bool facets_fit(std::size_t i, Vertex top) const noexcept;
+  /// Across a facet.
+  [[nodiscard]] Vertex opposite(int number, Vertex v) const noexcept;
+  /// The vertices that have a facet diagonal with v.
+  [[nodiscard]] VertexSet diagonals_from(Vertex v) const noexcept {
+    return not_edge_[v] & ~not_diagonal_[v];
+  }
+  /// The vertices there are that may be above corner i of an open facet, as far as pairs with the
+  /// facet tell.
+  [[nodiscard]] VertexSet above(const Facet& facet, std::size_t i) const noexcept {
+    const Facet& b = facet;
+    const VertexSet barred = no_edge_from(b[i]) | not_diagonal_[b[(i + 1) % 4]] |
+                             not_diagonal_[b[(i + 3) % 4]] | related_[b[(i + 2) % 4]];
+    return ~barred & (ball_ ? colour_[1 - colour_of_[b[i]]] & open_vertices_ : all_);
+  }
+  [[nodiscard]] VertexSet bent_at(Vertex from, Vertex corner) const noexcept;
+  [[nodiscard]] VertexSet closing(Vertex p, Vertex q, Vertex r) const noexcept;
+  [[nodiscard]] VertexSet fitting_tops(std::size_t i, VertexSet tops) const noexcept;
   void relate(std::size_t i, Vertex top, Step& step) noexcept;
   void unrelate(std::size_t i, const Step& step) noexcept;
   void complete();
   void undo_complete() noexcept;
+  /// The other ends of the edges that are there.
+  [[nodiscard]] VertexSet edges_from(Vertex v) const noexcept {
+    return not_diagonal_[v] & ~not_edge_[v];
+  }
   /// The vertices that make with v no edge of a further hexahedron.
   [[nodiscard]] VertexSet no_edge_from(Vertex v) const noexcept {
     if (!ball_) return not_edge_[v];
     const VertexSet no_new_edge = is_saturated(v) ? ~VertexSet{0} : saturated_;
-    const VertexSet edges = not_diagonal_[v] & ~not_edge_[v];
-    return not_edge_[v] | closed_edge_[v] | (no_new_edge & ~edges);
+    return not_edge_[v] | closed_edge_[v] | (no_new_edge & ~edges_from(v));
   }
-  [[nodiscard]] bool may_be_new(std::size_t i) const noexcept;
+  [[nodiscard]] bool may_be_new(std::size_t i, const NewVertices& left) const noexcept;
+  [[nodiscard]] NewVertices without_new_tops(NewVertices new_vertices) const noexcept;
   void open(int number) noexcept;
   void close(int number) noexcept;
   void add_vertex(Vertex v, unsigned colour) noexcept;
   void remove_vertex(Vertex v) noexcept;
 
-  int boundary_vertices_, max_vertices_, vertices_ = 0;
-  bool ball_;
+  int boundary_vertices_, vertices_ = 0;
+  NewVertices new_vertices_;
+  bool ball_, is_balanced_ = false;
   VertexSet all_ = 0;
   std::array<VertexSet, 2> colour_{};
   std::array<std::uint8_t, kMaxMeshVertices> colour_of_{};
@@ -231,10 +285,14 @@ class PartialMesh {
   template <class T>
   using PerPair = std::array<std::array<T, kMaxMeshVertices>, kMaxMeshVertices>;
   PerPair<std::int16_t> at_{};
+  /// For a corner v and a vertex u the third vertices of the open facets with u, v, . in a row.
+  PerPair<VertexSet> beyond_{};
   PerPair<std::uint8_t> open_at_edge_{};
   std::array<std::uint8_t, kMaxMeshVertices> open_at_{};
   std::array<std::uint8_t, kMaxMeshVertices> cells_at_{};
   std::array<Facet, kMaxFacets> facets_{};
+  std::array<std::array<std::int16_t, 2>, kMaxFacets> cells_on_{};
+  std::array<std::array<VertexSet, 4>, kMaxFacets> barred_tops_{};
   int facet_count_ = 0, edge_count_ = 0;
   FacetSet open_;
   int open_count_ = 0;

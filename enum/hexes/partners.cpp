@@ -11,9 +11,11 @@ namespace {
 class Needs {
  public:
   Needs(const PartialMesh& mesh, Vertex v)
-      : open_(mesh.open_at(v)),
+      : self_(bit(v)),
+        open_(mesh.open_at(v)),
         discs_(2 - mesh.link_euler(v)),
-        left_(mesh.vertices_left()),
+        left_(mesh.new_vertices()),
+        other_colour_(mesh.other_colour(v)),
         others_(mesh.unrelated_open(v) & mesh.of_other_colour(v)),
         other_count_(std::popcount(others_)),
         same_count_(std::popcount(mesh.unrelated_open(v)) - other_count_) {
@@ -25,7 +27,8 @@ class Needs {
   [[nodiscard]] int least() const noexcept { return least_; }
 
   /// Whether there are partners for so many edges to come, those saturated being none for edges.
-  [[nodiscard]] bool may_have(int edges, VertexSet saturated, bool is_saturated) const noexcept {
+  [[nodiscard]] bool may_have(int edges, VertexSet saturated) const noexcept {
+    const bool is_saturated = (saturated & self_) != 0;
     const int hexahedra = open_ - 2 * discs_ + 2 * edges;
     const int facets = open_ - 3 * discs_ + 3 * edges;
     const int for_edges = is_saturated ? 0 : std::popcount(others_ & ~saturated);
@@ -33,11 +36,15 @@ class Needs {
     if (is_saturated && new_ends > 0) return false;
     const int new_others = std::max({0, new_ends, hexahedra + edges - other_count_});
     const int new_same = std::max(0, facets - same_count_);
-    return new_others + new_same <= left_;
+    return new_others + new_same <= left_.all && new_others <= left_.of_colour[other_colour_] &&
+           new_same <= left_.of_colour[1 - other_colour_];
   }
 
  private:
-  int open_, discs_, left_;
+  VertexSet self_;
+  int open_, discs_;
+  NewVertices left_;
+  unsigned other_colour_;
   VertexSet others_;
   int other_count_, same_count_;
   int least_ = 0;
@@ -50,11 +57,9 @@ Partners partners_of(const PartialMesh& mesh, VertexSet saturated) {
     before = saturated;
     for (VertexSet rest = mesh.open_vertices(); rest != 0; rest &= rest - 1) {
       const auto v = static_cast<Vertex>(std::countr_zero(rest));
-      const bool is_saturated = (saturated & bit(v)) != 0;
       const Needs needs(mesh, v);
-      if (!needs.may_have(needs.least(), saturated, is_saturated)) return {true, saturated};
-      if (!is_saturated && needs.least() == 0 && !needs.may_have(1, saturated, false))
-        saturated |= bit(v);
+      if (!needs.may_have(needs.least(), saturated)) return {true, saturated};
+      if (needs.least() == 0 && !needs.may_have(1, saturated)) saturated |= bit(v);
     }
   }
   return {false, saturated};

@@ -19,19 +19,17 @@ HexSearch::HexSearch(const complex::Quadrangulation& boundary, const SearchLimit
       mesh_(boundary, boundary.vertices() + limits.max_interior, limits.ball) {
   core::expects(limits.max_hexahedra >= 0 && limits.max_hexahedra <= kMaxHexahedra,
                 "a search has at most 64 hexahedra");
-  if (!open_level()) levels_.push_back({});
-  if (limits.up_to_symmetry && first_quad() >= 0) symmetry_.emplace(boundary, first_quad());
+  const bool is_balanced = !limits.ball || !prunings.balance || mesh_.balance();
+  if (!is_balanced) refute(Refutation::Rule::corner_budget);
+  if (!is_balanced || !open_level()) levels_.push_back({});
+  if (limits.up_to_symmetry && first_quad() >= 0) paths_.emplace(boundary, prunings.barred_tops);
 }
 
 /// By the last hexahedron alone.
 bool HexSearch::is_refuted_by_last() {
   if (mesh_.cells().empty()) return false;
   if (limits_.ball && prunings_.links && closes_badly(mesh_)) return refute(Refutation::Rule::link);
-  return symmetry_ &&
-         !symmetry_->has_no_lesser_image(
-             mesh_.cells().back(), mesh_,
-             type_on_bottom(mesh_.cells().front(), mesh_.boundary_vertices())) &&
-         refute(Refutation::Rule::symmetry);
+  return paths_ && !paths_->follow(mesh_) && refute(Refutation::Rule::symmetry);
 }
 
 /// Requires open facets. Otherwise says which vertices are saturated, also to the mesh.
@@ -48,12 +46,21 @@ bool HexSearch::is_refuted_by_partners(Level& level) {
 bool HexSearch::is_refuted_by_budgets(int left, Level& level) {
   if ((prunings_.face_budget || left == 0) && exceeds_face_budget(mesh_, left))
     return refute(Refutation::Rule::face_budget);
-  open_.list(mesh_);
-  level.new_vertices = mesh_.vertices_left();
-  if (!prunings_.corner_budget) return false;
-  const int within = new_vertices_within(mesh_, open_, left, prunings_.ears);
-  level.new_vertices = std::min(level.new_vertices, within);
-  return within < 0 && refute(Refutation::Rule::corner_budget);
+  level.new_vertices = mesh_.new_vertices();
+  const bool counts_corners = prunings_.corner_budget && !is_ample(mesh_, left);
+  if (counts_corners || mesh_.open_count() > left) open_.list(mesh_);
+  if (!counts_corners) return false;
+  level.new_vertices = mesh_.new_vertices(new_vertices_within(mesh_, open_, left, prunings_.ears));
+  const auto& [all, of_colour] = level.new_vertices;
+  return (all < 0 || of_colour[0] < 0 || of_colour[1] < 0) &&
+         refute(Refutation::Rule::corner_budget);
+}
+
+/// Requires that is_refuted_by_budgets() was asked.
+bool HexSearch::is_refuted_by_facets_apart(int left) {
+  if (!prunings_.cover || mesh_.open_count() <= left) return false;
+  refutation_.places = facets_apart(mesh_, open_, left);
+  return !refutation_.places.empty() && refute(Refutation::Rule::facets_apart);
 }
 
 /// Chooses where the next hexahedron goes. False if no mesh within the limits follows.
@@ -63,17 +70,13 @@ bool HexSearch::open_level() {
   if (mesh_.open_count() > 0) {
     const int left = limits_.max_hexahedra - static_cast<int>(mesh_.cells().size());
     if (is_refuted_by_partners(level) || is_refuted_by_budgets(left, level)) return false;
-    const Tightest next = tightest(mesh_, open_, level.new_vertices);
+    const Tightest next = tightest(mesh_, level.new_vertices);
     if (prunings_.candidates && next.is_refuted) {
       refutation_.places.assign(1, mesh_.open().place_of(next.facet));
       refute(Refutation::Rule::no_candidate);
       return false;
     }
-    if (prunings_.cover) refutation_.places = facets_apart(mesh_, open_, left);
-    if (prunings_.cover && !refutation_.places.empty()) {
-      refute(Refutation::Rule::facets_apart);
-      return false;
-    }
+    if (is_refuted_by_facets_apart(left)) return false;
     level.bottom = next.facet;
     mesh_.begin(level.bottom);
   }
@@ -83,27 +86,27 @@ bool HexSearch::open_level() {
 
 HexSearch::Choices HexSearch::choices() const noexcept {
   if (!mesh_.has_begun()) return Choices(0);
-  VertexSet tops = mesh_.next_tops();
-  if (mesh_.vertices_left() > 0 && mesh_.new_tops() >= levels_.back().new_vertices)
-    tops &= ~bit(static_cast<std::size_t>(mesh_.vertices()));
-  return Choices(tops);
+  return Choices(mesh_.next_tops(levels_.back().new_vertices));
 }
 
 bool HexSearch::apply(Choice choice) {
-  if (!mesh_.put(choice.top)) {
-    refute(Refutation::Rule::tops);
-    return false;
-  }
+  mesh_.put(choice.top);
   if (mesh_.has_begun() || open_level()) return true;
-  mesh_.saturate(levels_.back().saturated);
+  go_back();
   mesh_.take_off();
   return false;
+}
+
+/// What was found of the last hexahedron is forgotten; it is still there.
+void HexSearch::go_back() noexcept {
+  mesh_.saturate(levels_.back().saturated);
+  if (paths_) paths_->go_back(mesh_, levels_.size() - 1);
 }
 
 void HexSearch::undo() noexcept {
   if (mesh_.has_just_completed()) {
     levels_.pop_back();
-    mesh_.saturate(levels_.back().saturated);
+    go_back();
   }
   mesh_.take_off();
 }

@@ -15,8 +15,8 @@
 /// max_interior interior vertices, each component of which (by facets) has a facet on the boundary,
 /// that obey the strict rule and whose facets in one hexahedron are the quads of the boundary.
 /// Each is met once, with its interior vertices numbered by first appearance. They need not be
-/// balls. With `ball` all balls are met, and others perhaps; with `up_to_symmetry` at least one of
-/// the images of each.
+/// balls. With `ball` all balls are met, and others perhaps; with `up_to_symmetry` one of the
+/// images of each.
 
 #include <cstddef>
 #include <cstdint>
@@ -25,9 +25,9 @@
 
 #include "enum/complex/hex_complex.hpp"
 #include "enum/complex/quadrangulation.hpp"
-#include "enum/hexes/boundary_symmetry.hpp"
 #include "enum/hexes/bounds.hpp"
 #include "enum/hexes/partial_mesh.hpp"
+#include "enum/hexes/path_symmetry.hpp"
 
 namespace hexatlas::hexes {
 
@@ -40,21 +40,22 @@ struct Prunings {
   bool candidates = true;     ///< Tightest::is_refuted
   bool cover = true;          ///< facets_apart()
   bool partners = true;       ///< partners_of(); for balls only
+  bool balance = true;        ///< PartialMesh::balance(); for balls only
+  bool barred_tops = true;    ///< those of PathSymmetry; no log has it
 };
 
 /// Why no mesh within the limits follows from a state (docs/formats/bound.md).
 struct Refutation {
   enum class Rule : std::uint8_t {
-    tops,           ///< it is no state: pairs of vertices bar the top vertex
-    face_budget,    ///< exceeds_face_budget()
-    corner_budget,  ///< new_vertices_within()
-    link,           ///< closes_badly()
-    symmetry,       ///< BoundarySymmetry
-    facets_apart,   ///< facets_apart()
-    no_candidate,   ///< tightest()
-    partners        ///< partners_of(); no log has it
+    face_budget = 1,  ///< exceeds_face_budget()
+    corner_budget,    ///< new_vertices_within()
+    link,             ///< closes_badly()
+    symmetry,         ///< PathSymmetry
+    facets_apart,     ///< facets_apart()
+    partners,         ///< partners_of()
+    no_candidate      ///< tightest()
   };
-  Rule rule = Rule::tops;
+  Rule rule = Rule::face_budget;
   /// Among the open facets of the state, by ascending number: of facets_apart; the facet of
   /// no_candidate.
   std::vector<std::size_t> places{};
@@ -64,8 +65,8 @@ struct SearchLimits {
   int max_hexahedra = 0;  ///< at most kMaxHexahedra
   int max_interior = 0;   ///< vertices; with those of the boundary at most kMaxMeshVertices
   bool ball = false;      ///< nothing but balls is asked for
-  /// Of the images of a mesh under the automorphisms of the boundary at least one is asked for, not
-  /// all: see boundary_symmetry.hpp.
+  /// Of the images of a mesh under the automorphisms of the boundary one is asked for, not all:
+  /// see path_symmetry.hpp.
   bool up_to_symmetry = false;
 };
 
@@ -119,20 +120,25 @@ class HexSearch {
   [[nodiscard]] const PartialMesh& mesh() const noexcept { return mesh_; }
   /// Why the last apply() was refused, or the initial state has no choices.
   [[nodiscard]] const Refutation& refutation() const noexcept { return refutation_; }
+  /// Of a complete state of a search up to symmetry: how many automorphisms of the boundary the
+  /// mesh has too.
+  [[nodiscard]] int automorphisms() const noexcept { return paths_->automorphisms(); }
   /// The quad on which the search begins, or -1 if the limits refute at once.
   [[nodiscard]] int first_quad() const noexcept { return levels_.front().bottom; }
 
  private:
   struct Level {
-    int bottom = -1;       ///< of the hexahedron begun after this one
-    int new_vertices = 0;  ///< that it may bring
+    int bottom = -1;           ///< of the hexahedron begun after this one
+    NewVertices new_vertices;  ///< that it may bring
     VertexSet saturated = 0;
   };
 
   [[nodiscard]] bool open_level();
+  void go_back() noexcept;
   [[nodiscard]] bool is_refuted_by_last();
   [[nodiscard]] bool is_refuted_by_partners(Level& level);
   [[nodiscard]] bool is_refuted_by_budgets(int left, Level& level);
+  [[nodiscard]] bool is_refuted_by_facets_apart(int left);
   bool refute(Refutation::Rule rule) {
     refutation_.rule = rule;
     return true;
@@ -141,7 +147,7 @@ class HexSearch {
   SearchLimits limits_;
   Prunings prunings_;
   PartialMesh mesh_;
-  std::optional<BoundarySymmetry> symmetry_;
+  std::optional<PathSymmetry> paths_;
   std::vector<Level> levels_;
   OpenFacets open_;
   Refutation refutation_;

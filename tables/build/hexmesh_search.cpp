@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kFirstLine = "hexatlas-search 1";
 /// Of the search tree: to be raised when HexSearch takes its choices in another order.
-constexpr int kTreeVersion = 2;
+constexpr int kTreeVersion = 3;
 
 std::string_view yes_or_no(bool value) { return value ? "yes" : "no"; }
 
@@ -182,7 +182,7 @@ hexes::HexFrontier frontier_from(std::string_view text, const HexmeshTask& task,
 
 std::string bound_certificate(const complex::Quadrangulation& boundary,
                               const hexes::SearchLimits& limits, const hexes::BoundLog& log) {
-  std::string text = "hexatlas-bound 1\nboundary " +
+  std::string text = "hexatlas-bound 2\nboundary " +
                      canon::to_text(canon::canonical_form(boundary).code) + "\nquads " +
                      std::to_string(boundary.quads()) + "\n";
   for (const auto& quad : boundary.list_of_quads()) {

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "tables/check/bound_file.hpp"
+#include "tables/check/bound_partners.hpp"
+#include "tables/check/bound_paths.hpp"
 #include "tables/check/bound_rules.hpp"
 #include "tables/check/bound_sphere.hpp"
 #include "tables/check/bound_state.hpp"
@@ -24,6 +26,7 @@ enum class Record : std::uint8_t {
   kLink = 3,
   kSymmetry = 4,
   kFacetsApart = 5,
+  kPartners = 6,
 };
 
 /// Goes through the tree of the log, depth first. Its methods return false, and leave the fault in
@@ -69,21 +72,28 @@ class Replay {
     if (state_.open_count() == 0 && !(record == Record::kLink && has_bad_link(state_))) {
       return fail("the hexahedra are a mesh");
     }
+    const bool asks_for_tops = record == Record::kBranch || record == Record::kCornerBudget ||
+                               record == Record::kFacetsApart;
+    if (asks_for_tops) saturate();
     switch (record) {
       case Record::kBranch:
         return refute_children();
       case Record::kFaceBudget:
         return fail_unless(exceeds_face_budget(state_, left()), "the face budget is not exceeded");
       case Record::kCornerBudget:
-        return fail_unless(room_of(state_, left()) < 0, "the corner budget is not exceeded");
+        return fail_unless(is_negative(within_room(state_, file_.interior, left())),
+                           "the corner budget is not exceeded");
       case Record::kLink:
         return fail_unless(has_bad_link(state_), "no link of the last hexahedron is bad");
       case Record::kSymmetry:
-        return fail_unless(
-            file_.has_symmetry && is_less_by_symmetry(state_, automorphisms_, first_),
-            "no type of the last hexahedron is less than the first");
+        return fail_unless(file_.has_symmetry && has_lesser_image(state_, automorphisms_),
+                           "no image of the hexahedra has a lesser path");
       case Record::kFacetsApart:
         return refute_by_facets_apart();
+      case Record::kPartners:
+        return fail_unless(
+            file_.is_ball && partners_of(state_, may_come(state_, file_.interior)).are_too_few,
+            "no vertex lacks partners");
     }
     return fail("there is no record " + std::to_string(byte));
   }
@@ -101,16 +111,21 @@ class Replay {
     if (left() == 0) return fail("no hexahedron may come any more");
     std::size_t facet = 0;
     if (!read_place(state_.open_facets(), facet)) return false;
-    if (state_.hexahedra().empty()) first_ = facet;
-    const int most_interior =
-        file_.interior - static_cast<int>(state_.vertices() - state_.boundary_vertices());
-    const int most_new = std::min(most_interior, room_of(state_, left()));
-    for (const BoundCorners& tops : state_.tops_on(facet, most_new)) {
+    const VertexSet saturated = state_.saturated();
+    for (const BoundCorners& tops :
+         state_.tops_on(facet, within_room(state_, file_.interior, left()))) {
       state_.put(facet, tops);
       if (!refute_state()) return false;
       state_.take_back();
+      state_.saturate(saturated);
     }
     return true;
+  }
+
+  /// Of the state, what the other rules need to know.
+  void saturate() {
+    if (!file_.is_ball) return;
+    state_.saturate(partners_of(state_, may_come(state_, file_.interior)).saturated);
   }
 
   bool refute_by_facets_apart() {
@@ -121,7 +136,8 @@ class Replay {
       if (!read_place(open, facet)) return false;
       for (const std::size_t other : apart) {
         if (other == facet) return fail("one facet is given twice");
-        if (!are_apart(state_, state_.facets()[other], state_.facets()[facet])) {
+        if (!are_apart(state_, state_.facets()[std::min(other, facet)],
+                       state_.facets()[std::max(other, facet)])) {
           return fail("two facets may be those of one hexahedron");
         }
       }
@@ -135,7 +151,6 @@ class Replay {
   std::vector<BoundAutomorphism> automorphisms_;
   BoundState state_;
   std::size_t at_ = 0;
-  std::size_t first_ = 0;  ///< the quad of the first hexahedron
 };
 
 }  // namespace

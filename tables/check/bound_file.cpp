@@ -17,7 +17,7 @@ class BoundReader {
   BoundReader(std::string_view text, const std::string& name) : name_(name), lines_(name, text) {}
 
   BoundFile read() {
-    header("hexatlas-bound", [](LineWords& line) { line.expect("1"); });
+    header("hexatlas-bound", [](LineWords& line) { line.expect("2"); });
     header("boundary", [this](LineWords& line) { file_.code = line.word(); });
     std::uint64_t quads = 0;
     header("quads", [&quads](LineWords& line) { quads = number(line, kMostQuads); });

@@ -11,8 +11,6 @@ namespace hexatlas::check {
 
 namespace {
 
-constexpr std::uint8_t kInteriorTop = 255;
-
 /// Facet i of a state is bit i; a state has at most 62 quads and five more facets for each of 64
 /// hexahedra.
 using FacetBits = std::bitset<384>;
@@ -167,11 +165,6 @@ int rank_of(std::vector<FacetBits> equations, std::size_t unknowns) {
   return rank;
 }
 
-int euler_at(const BoundState& state, std::size_t v) {
-  const VertexCounts& at = state.at(v);
-  return at.edges - at.facets + at.hexahedra + (state.is_interior(v) ? 0 : 1);
-}
-
 /// The dimension of the space of cycles of the graph with an edge for each open facet at v.
 int cycles_at(const BoundState& state, const std::vector<std::uint16_t>& open, std::size_t v) {
   VertexSet neighbours = 0;
@@ -225,7 +218,18 @@ int floor_of(int numerator, int denominator) {
   return numerator % denominator < 0 ? quotient - 1 : quotient;
 }
 
+/// In every ball the numbers of new vertices of the two colours differ by `surplus`.
+BoundNewVertices balanced(int all, int surplus) {
+  const int dark = floor_of(all - surplus, 2);
+  return {2 * dark + surplus, {dark + surplus, dark}};
+}
+
 }  // namespace
+
+int euler_at(const BoundState& state, std::size_t v) {
+  const VertexCounts& at = state.at(v);
+  return at.edges - at.facets + at.hexahedra + (state.is_interior(v) ? 0 : 1);
+}
 
 bool fit_across(const BoundState& state, const BoundFacet& f, const BoundFacet& g) {
   const std::optional<CommonEdge> edge = common_edge(f, g);
@@ -273,6 +277,33 @@ int room_of(const BoundState& state, int left) {
   return std::min(by_corners, by_edges);
 }
 
+BoundNewVertices may_come(const BoundState& state, int interior) {
+  const auto there = static_cast<int>(state.vertices() - state.boundary_vertices());
+  if (!state.is_ball()) return {interior - there};
+  // Half of the boundary's, and those inside, that are dark, less those that are light.
+  int halves = 0;
+  int inside = 0;
+  for (std::size_t v = 0; v < state.vertices(); ++v) {
+    (state.is_interior(v) ? inside : halves) += state.is_dark(v) ? 1 : -1;
+  }
+  const BoundNewVertices in_all = balanced(interior, halves / 2);
+  const int dark = in_all.of_colour[1] - (there + inside) / 2;
+  const int light = in_all.of_colour[0] - (there - inside) / 2;
+  return {light + dark, {light, dark}};
+}
+
+BoundNewVertices within_room(const BoundState& state, int interior, int left) {
+  BoundNewVertices may = may_come(state, interior);
+  const int all = std::min(may.all, room_of(state, left));
+  if (state.is_ball()) return balanced(all, may.of_colour[0] - may.of_colour[1]);
+  may.all = all;
+  return may;
+}
+
+bool is_negative(const BoundNewVertices& number) noexcept {
+  return number.all < 0 || number.of_colour[0] < 0 || number.of_colour[1] < 0;
+}
+
 bool has_bad_link(const BoundState& state) {
   if (!state.is_ball() || state.hexahedra().empty()) return false;
   const BoundHexahedron& last = state.hexahedra().back().vertices;
@@ -281,39 +312,6 @@ bool has_bad_link(const BoundState& state) {
     const int links = state.at(v).open_facets;
     return links == 0 ? missing != 0 : 3 * missing > links;
   });
-}
-
-bool is_less_by_symmetry(const BoundState& state, std::span<const BoundAutomorphism> automorphisms,
-                         std::size_t first) {
-  if (state.hexahedra().empty()) return false;
-  const auto type_of = [&state](std::uint8_t top) {
-    return state.is_interior(top) ? kInteriorTop : top;
-  };
-  const BoundHexahedron& least_vertices = state.hexahedra().front().vertices;
-  BoundCorners least{};
-  for (unsigned i = 0; i < 4; ++i) least[i] = type_of(least_vertices[i + 4]);
-  const BoundFacet& target = state.facets()[first];
-  const PlacedHexahedron& last = state.hexahedra().back();
-  const std::array<BoundCorners, 6> facets = facets_of(last.vertices);
-  for (unsigned i = 0; i < 6; ++i) {
-    if (last.facets[i] >= state.boundary_quads()) continue;
-    // The tops above this facet, from whichever facet it was built.
-    static constexpr std::array<BoundCorners, 6> kTops = {
-        {{4, 5, 6, 7}, {0, 1, 2, 3}, {3, 2, 6, 7}, {0, 3, 7, 4}, {1, 0, 4, 5}, {2, 1, 5, 6}}};
-    for (const BoundAutomorphism& image : automorphisms) {
-      BoundCorners type{};
-      bool reaches = true;
-      for (unsigned j = 0; j < 4 && reaches; ++j) {
-        const std::uint8_t corner = image[facets[i][j]];
-        reaches = (target.vertices >> corner & 1U) != 0;
-        if (!reaches) break;
-        const std::uint8_t top = last.vertices[kTops[i][j]];
-        type[place_of(target, corner)] = state.is_interior(top) ? kInteriorTop : image[top];
-      }
-      if (reaches && type < least) return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace hexatlas::check

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tables/check/bound_rules.hpp"
+#include "tables/check/bound_paths.hpp"
 #include "tables/check/mesh.hpp"
 
 namespace hexatlas::check {

@@ -46,7 +46,7 @@ std::vector<std::uint16_t> BoundState::open_facets() const {
 }
 
 bool BoundState::may_be_edge(std::size_t u, std::size_t v) const noexcept {
-  if (is_free(u, v)) return true;
+  if (is_free(u, v)) return !has(saturated_, u) && !has(saturated_, v);
   // In a ball the hexahedra at an edge follow one another, so there is no place without an open
   // facet.
   return relation_[u][v] == PairRelation::kEdge && (!is_ball_ || open_at_edge_[u][v] > 0);
@@ -67,21 +67,30 @@ bool BoundState::may_be_facet(const BoundCorners& corners) const {
   return true;
 }
 
+/// Whether u corner v may be three vertices in a row of a facet of a hexahedron to come, as far as
+/// the pair u v tells.
+bool BoundState::may_bend(std::size_t u, std::size_t corner, std::size_t v) const {
+  if (is_free(u, v)) return true;
+  if (relation_[u][v] != PairRelation::kFacetDiagonal) return false;
+  const BoundFacet& facet = facet_of_diagonal(u, v);
+  return facet.is_open && has(facet.vertices, corner);
+}
+
 bool BoundState::may_be_above(std::size_t u, const BoundFacet& facet, unsigned i) const {
   const BoundCorners& corners = facet.corners;
   if (is_ball_ && (has(dark_, u) == has(dark_, corners[i]) || at_[u].open_facets == 0)) {
     return false;
   }
   return !has(facet.vertices, u) && may_be_edge(u, corners[i]) &&
-         may_be_diagonal(u, corners[(i + 1) % 4]) && may_be_diagonal(u, corners[(i + 3) % 4]) &&
-         is_free(u, corners[(i + 2) % 4]);
+         may_bend(u, corners[i], corners[(i + 1) % 4]) &&
+         may_bend(u, corners[i], corners[(i + 3) % 4]) && is_free(u, corners[(i + 2) % 4]);
 }
 
 /// Chooses the four tops one after the other.
 class BoundState::TopSearch {
  public:
-  TopSearch(const BoundState& state, std::size_t facet, int most_new)
-      : state_(state), bottom_(state.facets_[facet].corners), most_new_(most_new) {
+  TopSearch(const BoundState& state, std::size_t facet, const BoundNewVertices& most)
+      : state_(state), bottom_(state.facets_[facet].corners), most_(most) {
     for (std::size_t u = 0; u < state.vertices_; ++u) {
       for (unsigned i = 0; i < 4; ++i) {
         if (state.may_be_above(u, state.facets_[facet], i)) {
@@ -89,24 +98,28 @@ class BoundState::TopSearch {
         }
       }
     }
-    if (most_new >= 0) choose(0, 0);
+    if (most.all >= 0 && most.of_colour[0] >= 0 && most.of_colour[1] >= 0) choose(0, most);
   }
   [[nodiscard]] std::vector<BoundCorners> found() && { return std::move(found_); }
 
  private:
   // A new vertex has no relation to any other, so it is free for all questions to the state.
-  void choose(unsigned i, int new_tops) {
+  void choose(unsigned i, BoundNewVertices left) {
     if (i == 4) {
       found_.push_back(tops_);
       return;
     }
     for (const std::uint8_t u : above_[i]) {
       tops_[i] = u;
-      if (agrees(i)) choose(i + 1, new_tops);
+      if (agrees(i)) choose(i + 1, left);
     }
-    if (new_tops == most_new_) return;
-    tops_[i] = static_cast<std::uint8_t>(state_.vertices_ + static_cast<std::size_t>(new_tops));
-    if (agrees(i)) choose(i + 1, new_tops + 1);
+    const std::size_t colour = state_.is_dark(bottom_[i]) ? 0 : 1;
+    if (left.all == 0 || left.of_colour[colour] == 0 || has(state_.saturated_, bottom_[i])) return;
+    tops_[i] = static_cast<std::uint8_t>(state_.vertices_ +
+                                         static_cast<std::size_t>(most_.all - left.all));
+    --left.all;
+    --left.of_colour[colour];
+    if (agrees(i)) choose(i + 1, left);
   }
 
   /// Whether top i agrees with those before it.
@@ -130,14 +143,15 @@ class BoundState::TopSearch {
 
   const BoundState& state_;
   BoundCorners bottom_;
-  int most_new_;
+  BoundNewVertices most_;
   std::array<std::vector<std::uint8_t>, 4> above_;
   BoundCorners tops_{};
   std::vector<BoundCorners> found_;
 };
 
-std::vector<BoundCorners> BoundState::tops_on(std::size_t facet, int most_new) const {
-  return TopSearch(*this, facet, most_new).found();
+std::vector<BoundCorners> BoundState::tops_on(std::size_t facet,
+                                              const BoundNewVertices& most) const {
+  return TopSearch(*this, facet, most).found();
 }
 
 void BoundState::put(std::size_t facet, const BoundCorners& tops) {

@@ -35,6 +35,12 @@ using VertexSet = std::uint64_t;
   return set;
 }
 
+/// How many new vertices there may be.
+struct BoundNewVertices {
+  int all = 0;
+  std::array<int, 2> of_colour = {kMostBoundVertices, kMostBoundVertices};  ///< light, dark
+};
+
 enum class PairRelation : std::uint8_t { kFree, kEdge, kFacetDiagonal, kBodyDiagonal };
 
 struct BoundFacet {
@@ -75,6 +81,13 @@ class BoundState {
   [[nodiscard]] const VertexCounts& at(std::size_t v) const noexcept { return at_[v]; }
   [[nodiscard]] bool is_interior(std::size_t v) const noexcept { return v >= boundary_vertices_; }
 
+  /// The two colours of a bipartition by edges: that of vertex 0 is light. Kept for balls only.
+  [[nodiscard]] bool is_dark(std::size_t v) const noexcept { return (dark_ >> v & 1U) != 0; }
+
+  /// Vertices at which no further edge ends, in any ball that follows.
+  [[nodiscard]] VertexSet saturated() const noexcept { return saturated_; }
+  void saturate(VertexSet vertices) noexcept { saturated_ = vertices; }
+
   /// Numbers of the open facets, ascending: place P of a record is element P.
   [[nodiscard]] std::vector<std::uint16_t> open_facets() const;
   [[nodiscard]] std::size_t open_count() const noexcept { return open_count_; }
@@ -102,9 +115,10 @@ class BoundState {
   /// u may be above corner i of an open facet; u is there already.
   [[nodiscard]] bool may_be_above(std::size_t u, const BoundFacet& facet, unsigned i) const;
 
-  /// The tops of all hexahedra with at most `most_new` new vertices that may be put on an open
-  /// facet, in lexicographic order; new vertices have the next numbers.
-  [[nodiscard]] std::vector<BoundCorners> tops_on(std::size_t facet, int most_new) const;
+  /// The tops of all hexahedra with at most `most` new vertices that may be put on an open facet,
+  /// in lexicographic order; new vertices have the next numbers.
+  [[nodiscard]] std::vector<BoundCorners> tops_on(std::size_t facet,
+                                                  const BoundNewVertices& most) const;
 
   /// Requires that the hexahedron may be put there.
   void put(std::size_t facet, const BoundCorners& tops);
@@ -120,6 +134,7 @@ class BoundState {
   void set_open(std::size_t facet, bool is_open);
   void relate(std::size_t u, std::size_t v, PairRelation relation, std::size_t facet);
   void unrelate_last();
+  [[nodiscard]] bool may_bend(std::size_t u, std::size_t corner, std::size_t v) const;
   void colour_boundary();
 
   bool is_ball_;
@@ -127,7 +142,8 @@ class BoundState {
   std::size_t vertices_;
   std::size_t edges_ = 0;
   std::size_t open_count_ = 0;
-  VertexSet dark_ = 0;  ///< one of the two colours; kept for balls only
+  VertexSet dark_ = 0;
+  VertexSet saturated_ = 0;
   std::vector<BoundFacet> facets_;
   std::vector<PlacedHexahedron> placed_;
   std::vector<std::pair<std::uint8_t, std::uint8_t>> related_;  ///< in the order of relate()

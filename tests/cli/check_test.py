@@ -38,7 +38,7 @@ def vtk(points, cells, kind="12"):
 def certificate(hexahedra=1, interior=0, kind="ball", log=b"\x01"):
     """That the octagonal spindle has no mesh, in a Zstandard frame of one raw block."""
     quads = "".join(f"{i} {(i + 1) % 8} {(i + 2) % 8} {8 + i % 2}\n" for i in range(8))
-    text = (f"hexatlas-bound 1\nboundary q1:088a577f\nquads 8\n{quads}kind {kind}\n"
+    text = (f"hexatlas-bound 2\nboundary q1:088a577f\nquads 8\n{quads}kind {kind}\n"
             f"hexahedra {hexahedra}\ninterior {interior}\nsymmetry no\nlog {len(log)}\n").encode() + log
     return (b"\x28\xb5\x2f\xfd\xa0" + struct.pack("<I", len(text)) +
             struct.pack("<I", len(text) << 3 | 1)[:3] + text)

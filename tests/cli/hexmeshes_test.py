@@ -85,7 +85,7 @@ class Hexmeshes(program.ProgramTest):
             self.assertGreater(min(shard["nodes"] for shard in shards), 0)
 
     def test_a_killed_search_goes_on(self):
-        arguments = (PYRAMID, "--max-hexes", "15", "--ball", "-j", "1")
+        arguments = (PYRAMID, "--max-hexes", "17", "--ball", "-j", "1")
         whole = self.run_json(*arguments)
         saved = (*arguments, "--state", "saved", "--save-every", "0")
         seen = set()
@@ -114,8 +114,8 @@ class Hexmeshes(program.ProgramTest):
         self.assertFalse(json.loads(out)["exhaustive"])
 
     def test_estimates(self):
-        whole = self.run_json(PYRAMID, "--max-hexes", "13", "--ball")
-        about = self.run_json(PYRAMID, "--max-hexes", "13", "--ball", "--estimate", "20000")
+        whole = self.run_json(PYRAMID, "--max-hexes", "15", "--ball")
+        about = self.run_json(PYRAMID, "--max-hexes", "15", "--ball", "--estimate", "20000")
         self.assertLess(abs(about["nodes"] - whole["nodes"]), 6 * about["standard_error"])
         self.assertFalse(about["exact"])
 

@@ -91,7 +91,7 @@ TEST(Hexmeshes, AreSavedAndGoneOnWith) {
   HexFrontier frontier = problem.begin();
   int saves = 0;
   for (; !frontier.is_finished(); ++saves) {
-    problem.go_on(frontier, {.max_nodes = 300}, {});
+    problem.go_on(frontier, {.max_nodes = 60}, {});
     const std::string text = build::to_text(task, frontier);
     frontier = build::frontier_from(text, task, "saved");
     EXPECT_EQ(build::to_text(task, frontier), text);

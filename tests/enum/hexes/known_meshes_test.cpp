@@ -107,22 +107,29 @@ void expect_found_by_search(const Entry& known, bool ball) {
   EXPECT_EQ(search.mesh().cells().size(), known.mesh.hexahedra.size());
 }
 
+/// `new_vertices`: how many the rest of the mesh has.
 void expect_refuted_nowhere(const PartialMesh& mesh, int left, int new_vertices) {
   if (mesh.open_count() == 0) return;
   ASSERT_FALSE(mesh.is_for_balls() && !mesh.cells().empty() && closes_badly(mesh));
   ASSERT_FALSE(exceeds_face_budget(mesh, left));
   hexes::OpenFacets open;
   open.list(mesh);
-  for (const bool ears : {false, true})
-    ASSERT_GE(new_vertices_within(mesh, open, left, ears), new_vertices);
+  for (const bool ears : {false, true}) {
+    const int within = new_vertices_within(mesh, open, left, ears);
+    ASSERT_GE(within, new_vertices);
+    ASSERT_TRUE(!is_ample(mesh, left) || within >= mesh.new_vertices().all);
+  }
+  const hexes::NewVertices due = mesh.new_vertices(new_vertices);
+  ASSERT_EQ(due.all, new_vertices);
   PartialMesh copy = mesh;
-  ASSERT_FALSE(tightest(copy, open, new_vertices).is_refuted);
+  ASSERT_FALSE(tightest(copy, due).is_refuted);
   ASSERT_TRUE(facets_apart(mesh, open, left).empty());
 }
 
 void expect_refuted_in_no_order(const Entry& known, bool ball, support::Random& random) {
   const auto hexahedra = static_cast<int>(known.mesh.hexahedra.size());
   PartialMesh mesh(known.boundary, static_cast<int>(known.mesh.vertices), ball);
+  ASSERT_TRUE(!ball || mesh.balance());
   Known source(known.mesh, known.boundary.vertices());
   while (mesh.open_count() > 0) {
     ASSERT_NO_FATAL_FAILURE(
@@ -135,12 +142,14 @@ void expect_refuted_in_no_order(const Entry& known, bool ball, support::Random& 
       ASSERT_FALSE(partners.are_too_few);
       mesh.saturate(partners.saturated);
     }
+    const hexes::NewVertices may_bring = mesh.new_vertices();
     mesh.begin(open[random.below(open.size())]);
     for (const Vertex top : source.put_on(mesh.facet(mesh.bottom()))) {
-      ASSERT_NE(mesh.next_tops() & hexes::bit(top), 0U);
-      ASSERT_TRUE(mesh.put(top));
+      ASSERT_NE(mesh.next_tops(may_bring) & hexes::bit(top), 0U);
+      mesh.put(top);
     }
   }
+  EXPECT_EQ(mesh.new_vertices().all, 0);
 }
 
 TEST(KnownMeshes, AreRefutedNowhere) {
