@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -257,28 +258,21 @@ bool is_ample(const PartialMesh& mesh, int left) noexcept {
 }
 
 int new_vertices_within(const PartialMesh& mesh, const OpenFacets& open, int left, bool ears) {
-  std::array<int, kMaxMeshVertices> savings{};
+  const bool ball = mesh.is_for_balls();
+  std::optional<Ears> found;
+  if (ears) found.emplace(mesh, open);
   int due = 0;
-  const auto add_due = [&](Vertex v) {
-    const int corners = mesh.open_at(v) - 2 * savings[v];
+  for_each(mesh.open_vertices(), [&](Vertex v) {
+    int savings = ball ? 2 - mesh.link_euler(v) : most_cycles(mesh, open, v);
+    if (found) savings = std::min(savings, found->most_short_fans(v));
+    const int corners = mesh.open_at(v) - 2 * savings;
     due += mesh.is_interior(v) ? std::max(corners, 4 - mesh.cells_at(v)) : corners;
-  };
-  for_each(open.vertices(), [&](Vertex v) {
-    savings[v] = mesh.is_for_balls() ? 2 - mesh.link_euler(v) : most_cycles(mesh, open, v);
-    add_due(v);
   });
-  int room = 8 * left - due;
-  if (room < 0 || !ears) return room < 0 ? -1 : room / 4;
-  const Ears found(mesh, open);
-  due = 0;
-  for_each(open.vertices(), [&](Vertex v) {
-    savings[v] = std::min(savings[v], found.most_short_fans(v));
-    add_due(v);
-  });
-  room = 8 * left - due;
+  const int room = 8 * left - due;
   if (room < 0) return -1;
-  if (!mesh.is_for_balls()) return room / 4;
-  const int for_edges = 6 * left - mesh.open_count() / 2 - 3 * mesh.euler() - found.unfit_edges();
+  if (!ball) return room / 4;
+  const int for_edges =
+      6 * left - mesh.open_count() / 2 - 3 * mesh.euler() - (found ? found->unfit_edges() : 0);
   return for_edges < 0 ? -1 : std::min(room / 4, for_edges / 3);
 }
 

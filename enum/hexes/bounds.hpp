@@ -57,7 +57,7 @@ class OpenFacets {
 
 /// How many new vertices `left` hexahedra may bring, by counting corners; negative if they are too
 /// few for the vertices that there are. With `ears`, two open facets with a common edge are asked
-/// whether one hexahedron may have both.
+/// whether one hexahedron may have both. Without them, and for balls, `open` is not looked at.
 [[nodiscard]] int new_vertices_within(const PartialMesh& mesh, const OpenFacets& open, int left,
                                       bool ears);
 

@@ -48,9 +48,14 @@ bool HexSearch::is_refuted_by_budgets(int left, Level& level) {
     return refute(Refutation::Rule::face_budget);
   level.new_vertices = mesh_.new_vertices();
   const bool counts_corners = prunings_.corner_budget && !is_ample(mesh_, left);
+  if (counts_corners && limits_.ball && is_refuted_by_corners(left, false, level)) return true;
   if (counts_corners || mesh_.open_count() > left) open_.list(mesh_);
-  if (!counts_corners) return false;
-  level.new_vertices = mesh_.new_vertices(new_vertices_within(mesh_, open_, left, prunings_.ears));
+  if (counts_corners && !limits_.ball && is_refuted_by_corners(left, false, level)) return true;
+  return counts_corners && prunings_.ears && is_refuted_by_corners(left, true, level);
+}
+
+bool HexSearch::is_refuted_by_corners(int left, bool ears, Level& level) {
+  level.new_vertices = mesh_.new_vertices(new_vertices_within(mesh_, open_, left, ears));
   const auto& [all, of_colour] = level.new_vertices;
   return (all < 0 || of_colour[0] < 0 || of_colour[1] < 0) &&
          refute(Refutation::Rule::corner_budget);

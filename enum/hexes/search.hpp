@@ -138,6 +138,7 @@ class HexSearch {
   [[nodiscard]] bool is_refuted_by_last();
   [[nodiscard]] bool is_refuted_by_partners(Level& level);
   [[nodiscard]] bool is_refuted_by_budgets(int left, Level& level);
+  [[nodiscard]] bool is_refuted_by_corners(int left, bool ears, Level& level);
   [[nodiscard]] bool is_refuted_by_facets_apart(int left);
   bool refute(Refutation::Rule rule) {
     refutation_.rule = rule;
