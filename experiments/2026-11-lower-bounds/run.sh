@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# How far exhaustive searches get, with certificates; some fifteen minutes. Needs a release build and GNU time.
+# How far exhaustive searches get, with certificates; some fifteen minutes, with LONG=1 an hour more. Needs a release build and GNU time.
 set -euo pipefail
 cd "$(dirname "$0")"
 program="${PROGRAM:-../../build/release/hexatlas}"
@@ -37,6 +37,7 @@ print(*sys.argv[2:6], counts["nodes"], *sys.argv[6:], sep="\t")
   for hexes in 16 17 18 19 20 21 22 23; do search octagonal-spindle ball "$hexes" - log; done
   for interior in 9 11 13; do search schneiders-pyramid ball 64 "$interior" log; done
   search schneiders-pyramid ball 64 15
+  if [[ -n "${LONG:-}" ]]; then search schneiders-pyramid ball 64 18; fi
 } >"$work/result.tsv"
 mv "$work/result.tsv" result.tsv
 {
