@@ -75,10 +75,10 @@ bool PathSymmetry::follow(PartialMesh& mesh) {
     Order order = Order::equal;
     while (order == Order::equal && image.at.length < hexahedra) order = step(image, mesh);
     image.at.is_greater = order == Order::greater;
-    if (image.at == before) continue;
-    changes_.push_back({hexahedra - 1, i, before});
+    const bool has_moved = image.at != before;
+    if (has_moved) changes_.push_back({hexahedra - 1, i, before});
     if (order == Order::lesser) return false;
-    if (order == Order::unknown && bars_tops_) bar(image, mesh);
+    if (has_moved && order == Order::unknown && bars_tops_) bar(image, mesh);
   }
   return true;
 }
