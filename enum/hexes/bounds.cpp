@@ -49,7 +49,7 @@ struct OpenLink {
   int vertices = 0, components = 0;
 };
 
-OpenLink open_link(const PartialMesh& mesh, const OpenFacets& open, Vertex v) {
+OpenLink open_link(const OpenFacets& open, Vertex v) {
   std::array<Vertex, kMaxMeshVertices> parent{};
   const auto root = [&](Vertex x) {
     while (parent[x] != x) x = parent[x];
@@ -58,7 +58,7 @@ OpenLink open_link(const PartialMesh& mesh, const OpenFacets& open, Vertex v) {
   VertexSet ends = 0;
   OpenLink link;
   for (const OpenFacets::Corner& corner : open.at(v)) {
-    const Facet& f = mesh.facet(open.number(corner.place));
+    const Facet& f = open.facet(corner.place);
     const std::array<Vertex, 2> pair{f[(corner.at + 1U) % 4], f[(corner.at + 3U) % 4]};
     for (const Vertex x : pair) {
       if ((ends & bit(x)) != 0) continue;
@@ -79,37 +79,26 @@ OpenLink open_link(const PartialMesh& mesh, const OpenFacets& open, Vertex v) {
 int most_cycles(const PartialMesh& mesh, const OpenFacets& open, Vertex v) {
   const int edges = mesh.open_at(v);
   if (edges < 6) return edges / 3;
-  const OpenLink link = open_link(mesh, open, v);
+  const OpenLink link = open_link(open, v);
   return std::min(edges / 3, edges - link.vertices + link.components);
 }
 
-/// Whether a diagonal from one facet to another one at their common corner is none yet, or that of
-/// an open facet around the corner.
-bool may_be_diagonal(const PartialMesh& mesh, Vertex from, Vertex to, Vertex corner) {
-  const int number = mesh.facet_at(from, to);
-  if (number < 0) return true;
-  const Facet& f = mesh.facet(number);
-  return mesh.is_open(number) && std::find(f.begin(), f.end(), corner) != f.end();
+/// Facets a and b with the edge of a from corner i, at which b has corner k.
+bool fit_across(const OpenFacets& open, std::size_t a, std::size_t b, std::size_t i,
+                std::size_t k) {
+  const Facet& g = open.facet(b);
+  const bool forward = g[(k + 1) % 4] == open.facet(a)[(i + 1) % 4];
+  const Vertex over_first = g[(k + (forward ? 3 : 1)) % 4], over_second = g[(k + 2) % 4];
+  return (open.above(a)[i] & bit(over_first)) != 0 &&
+         (open.above(a)[(i + 1) % 4] & bit(over_second)) != 0;
 }
 
-/// Facets f and g with the edge of f from corner i; g continues at it as a, b, e, d or reversed.
-bool fit_across(const PartialMesh& mesh, const OpenFacets& open, std::size_t a, std::size_t b,
-                std::size_t i) {
-  const Facet& f = mesh.facet(open.number(a));
-  const Facet& g = mesh.facet(open.number(b));
-  const Vertex u = f[i], v = f[(i + 1) % 4];
-  std::size_t at = 0;
-  while (g[at] != u) ++at;
-  const bool forward = g[(at + 1) % 4] == v;
-  const Vertex over_u = g[(at + (forward ? 3 : 1)) % 4], over_v = g[(at + 2) % 4];
-  if ((open.above(a)[i] & bit(over_u)) == 0 || (open.above(a)[(i + 1) % 4] & bit(over_v)) == 0)
-    return false;
-  return may_be_diagonal(mesh, f[(i + 2) % 4], over_v, v) &&
-         may_be_diagonal(mesh, f[(i + 3) % 4], over_u, u);
-}
-
-bool fit_opposite(const OpenFacets& open, std::size_t a, const Facet& g) {
+bool fit_opposite(const OpenFacets& open, std::size_t a, std::size_t b) {
   const auto& above = open.above(a);
+  const VertexSet set = open.vertices_of(b);
+  for (const VertexSet tops : above)
+    if ((tops & set) == 0) return false;
+  const Facet& g = open.facet(b);
   for (std::size_t turn = 0; turn < 4; ++turn) {
     bool forward = true, backward = true;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -117,6 +106,21 @@ bool fit_opposite(const OpenFacets& open, std::size_t a, const Facet& g) {
       backward = backward && (above[i] & bit(g[(turn + 4 - i) % 4])) != 0;
     }
     if (forward || backward) return true;
+  }
+  return false;
+}
+
+/// Whether open facets a and b may be facets of one hexahedron, as far as their vertices tell.
+bool fit_one_hexahedron(const OpenFacets& open, std::size_t a, std::size_t b) {
+  const VertexSet common = open.vertices_of(a) & open.vertices_of(b);
+  if (common == 0) return fit_opposite(open, a, b);
+  const Facet& f = open.facet(a);
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (common != (bit(f[i]) | bit(f[(i + 1) % 4]))) continue;
+    const Facet& g = open.facet(b);
+    std::size_t k = 0;
+    while (g[k] != f[i]) ++k;
+    return fit_across(open, a, b, i, k);
   }
   return false;
 }
@@ -131,12 +135,8 @@ void for_each(VertexSet set, Visit&& visit) {
 class Ears {
  public:
   Ears(const PartialMesh& mesh, const OpenFacets& open) {
-    for_each(open.vertices(), [&](Vertex u) {
-      const auto corners = open.at(u);
-      for (std::size_t x = 0; x < corners.size(); ++x)
-        for (std::size_t y = x + 1; y < corners.size(); ++y)
-          look(mesh, open, u, corners[x], corners[y]);
-    });
+    for (std::size_t a = 0; a < open.size(); ++a)
+      for (std::size_t i = 0; i < 4; ++i) look_across(mesh, open, a, i);
   }
 
   /// Edges whose two open facets cannot be of one hexahedron.
@@ -179,18 +179,17 @@ class Ears {
     ++list.count;
   }
 
-  /// Each edge is looked at from its lesser end.
-  void look(const PartialMesh& mesh, const OpenFacets& open, Vertex u, OpenFacets::Corner x,
-            OpenFacets::Corner y) {
-    const Facet& f = mesh.facet(open.number(x.place));
-    const Facet& g = mesh.facet(open.number(y.place));
-    for (const std::size_t turn : {std::size_t{1}, std::size_t{3}}) {
-      const Vertex w = f[(x.at + turn) % 4];
-      if (w < u || (g[(y.at + 1U) % 4] != w && g[(y.at + 3U) % 4] != w)) continue;
-      const std::size_t side = turn == 1 ? x.at : (x.at + 3U) % 4;
-      if (fit_across(mesh, open, x.place, y.place, side)) {
-        add(u, {x.place, y.place});
-        add(w, {x.place, y.place});
+  /// The edge of facet a from corner i, and the facets after a that have it too. No two vertices
+  /// are an edge of one facet and a diagonal of another one.
+  void look_across(const PartialMesh& mesh, const OpenFacets& open, std::size_t a, std::size_t i) {
+    const Vertex u = open.facet(a)[i], w = open.facet(a)[(i + 1) % 4];
+    for (const OpenFacets::Corner& corner : open.at(u)) {
+      const std::size_t b = corner.place;
+      if (b <= a || (open.vertices_of(b) & bit(w)) == 0) continue;
+      if (fit_across(open, a, b, i, corner.at)) {
+        const Ear ear{static_cast<std::uint16_t>(a), corner.place};
+        add(u, ear);
+        add(w, ear);
       } else if (mesh.open_at(u, w) == 2) {
         ++unfit_edges_;
       }
@@ -213,26 +212,26 @@ bool exceeds_face_budget(const PartialMesh& mesh, int left) {
 }
 
 void OpenFacets::list(const PartialMesh& mesh) {
-  number_.clear();
+  facet_.clear();
+  set_.clear();
   above_.clear();
   std::array<std::uint16_t, kMaxMeshVertices> count{};
   mesh.open().for_each([&](int number) {
     const Facet& f = mesh.facet(number);
-    number_.push_back(number);
+    facet_.push_back(f);
+    set_.push_back(bit(f[0]) | bit(f[1]) | bit(f[2]) | bit(f[3]));
     above_.push_back({mesh.tops_over(number, 0), mesh.tops_over(number, 1),
                       mesh.tops_over(number, 2), mesh.tops_over(number, 3)});
     for (const Vertex v : f) ++count[v];
   });
-  vertices_ = 0;
   std::array<std::uint16_t, kMaxMeshVertices> next{};
   for (std::size_t v = 0; v < count.size(); ++v) {
     next[v] = begin_[v];
     begin_[v + 1] = static_cast<std::uint16_t>(begin_[v] + count[v]);
-    if (count[v] != 0) vertices_ |= bit(v);
   }
-  corners_.resize(4 * number_.size());
-  for (std::size_t place = 0; place < number_.size(); ++place) {
-    const Facet& f = mesh.facet(number_[place]);
+  corners_.resize(4 * facet_.size());
+  for (std::size_t place = 0; place < facet_.size(); ++place) {
+    const Facet& f = facet_[place];
     for (std::size_t i = 0; i < 4; ++i)
       corners_[next[f[i]]++] = {static_cast<std::uint16_t>(place), static_cast<std::uint8_t>(i)};
   }
@@ -308,38 +307,13 @@ Tightest tightest(PartialMesh& mesh, const NewVertices& new_vertices) {
   return result;
 }
 
-bool fit_one_hexahedron(const PartialMesh& mesh, const OpenFacets& open, std::size_t a,
-                        std::size_t b) {
-  const Facet& f = mesh.facet(open.number(a));
-  const Facet& g = mesh.facet(open.number(b));
-  VertexSet in_g = 0;
-  for (const Vertex v : g) in_g |= bit(v);
-  unsigned common = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-    if ((in_g & bit(f[i])) != 0) common |= 1U << i;
-  switch (common) {
-    case 0:
-      return fit_opposite(open, a, g);
-    case 0b0011:
-      return fit_across(mesh, open, a, b, 0);
-    case 0b0110:
-      return fit_across(mesh, open, a, b, 1);
-    case 0b1100:
-      return fit_across(mesh, open, a, b, 2);
-    case 0b1001:
-      return fit_across(mesh, open, a, b, 3);
-    default:
-      return false;  // one vertex, two opposite ones, or more
-  }
-}
-
-std::vector<std::size_t> facets_apart(const PartialMesh& mesh, const OpenFacets& open, int left) {
+std::vector<std::size_t> facets_apart(const OpenFacets& open, int left) {
   const std::size_t count = open.size();
   if (count <= static_cast<std::size_t>(left) || count > 64) return {};
   std::array<std::uint64_t, 64> apart{};
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = a + 1; b < count; ++b)
-      if (!fit_one_hexahedron(mesh, open, a, b)) {
+      if (!fit_one_hexahedron(open, a, b)) {
         apart[a] |= std::uint64_t{1} << b;
         apart[b] |= std::uint64_t{1} << a;
       }

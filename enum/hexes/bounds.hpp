@@ -28,8 +28,9 @@ class OpenFacets {
 
   void list(const PartialMesh& mesh);
 
-  [[nodiscard]] std::size_t size() const noexcept { return number_.size(); }
-  [[nodiscard]] int number(std::size_t place) const noexcept { return number_[place]; }
+  [[nodiscard]] std::size_t size() const noexcept { return facet_.size(); }
+  [[nodiscard]] const Facet& facet(std::size_t place) const noexcept { return facet_[place]; }
+  [[nodiscard]] VertexSet vertices_of(std::size_t place) const noexcept { return set_[place]; }
   [[nodiscard]] const std::array<VertexSet, 4>& above(std::size_t place) const noexcept {
     return above_[place];
   }
@@ -37,15 +38,13 @@ class OpenFacets {
   [[nodiscard]] std::span<const Corner> at(Vertex v) const noexcept {
     return std::span(corners_).subspan(begin_[v], begin_[v + std::size_t{1}] - begin_[v]);
   }
-  /// The vertices with corners.
-  [[nodiscard]] VertexSet vertices() const noexcept { return vertices_; }
 
  private:
-  std::vector<int> number_;
+  std::vector<Facet> facet_;
+  std::vector<VertexSet> set_;
   std::vector<std::array<VertexSet, 4>> above_;
   std::vector<Corner> corners_;
   std::array<std::uint16_t, kMaxMeshVertices + 1> begin_{};
-  VertexSet vertices_ = 0;
 };
 
 /// Whether the link of a vertex of the last hexahedron cannot become a sphere or a disc. For balls
@@ -72,14 +71,8 @@ struct Tightest {
 [[nodiscard]] Tightest tightest(PartialMesh& mesh, const NewVertices& new_vertices);
 inline constexpr std::size_t kCounted = 10;
 
-/// Whether open facets a and b, by place in the list, may be facets of one hexahedron, as far as
-/// pairs of vertices and facets tell.
-[[nodiscard]] bool fit_one_hexahedron(const PartialMesh& mesh, const OpenFacets& open,
-                                      std::size_t a, std::size_t b);
-
 /// Places of more than `left` open facets, found greedily, no two of which may be of one
 /// hexahedron; empty if none were found.
-[[nodiscard]] std::vector<std::size_t> facets_apart(const PartialMesh& mesh, const OpenFacets& open,
-                                                    int left);
+[[nodiscard]] std::vector<std::size_t> facets_apart(const OpenFacets& open, int left);
 
 }  // namespace hexatlas::hexes

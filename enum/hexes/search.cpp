@@ -64,7 +64,7 @@ bool HexSearch::is_refuted_by_corners(int left, bool ears, Level& level) {
 /// Requires that is_refuted_by_budgets() was asked.
 bool HexSearch::is_refuted_by_facets_apart(int left) {
   if (!prunings_.cover || mesh_.open_count() <= left) return false;
-  refutation_.places = facets_apart(mesh_, open_, left);
+  refutation_.places = facets_apart(open_, left);
   return !refutation_.places.empty() && refute(Refutation::Rule::facets_apart);
 }
 

@@ -146,7 +146,7 @@ void expect_refuted_nowhere(const PartialMesh& mesh, int left, int new_vertices)
   ASSERT_EQ(due.all, new_vertices);
   PartialMesh copy = mesh;
   ASSERT_FALSE(tightest(copy, due).is_refuted);
-  ASSERT_TRUE(facets_apart(mesh, open, left).empty());
+  ASSERT_TRUE(facets_apart(open, left).empty());
 }
 
 void expect_refuted_in_no_order(const Entry& known, bool ball, support::Random& random) {
