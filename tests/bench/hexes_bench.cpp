@@ -8,12 +8,11 @@ namespace {
 
 using namespace hexatlas;
 
-/// Schneiders' pyramid.
-void pyramid(benchmark::State& state, int hexahedra, bool ball) {
-  const auto boundary = canon::decode(canon::from_text("q1:02228a2a5777df7f").value()).value();
-  const hexes::HexmeshProblem problem(
-      boundary,
-      {hexahedra, hexes::most_interior_vertices(boundary.quads(), hexahedra), ball, true});
+const auto kPyramid = "q1:02228a2a5777df7f";
+
+void search(benchmark::State& state, int hexahedra, int interior, bool ball) {
+  const auto boundary = canon::decode(canon::from_text(kPyramid).value()).value();
+  const hexes::HexmeshProblem problem(boundary, {hexahedra, interior, ball, true});
   std::uint64_t nodes = 0;
   for (auto _ : state) {
     hexes::HexFrontier frontier = problem.begin();
@@ -23,15 +22,20 @@ void pyramid(benchmark::State& state, int hexahedra, bool ball) {
   state.counters["nodes/s"] =
       benchmark::Counter(static_cast<double>(nodes), benchmark::Counter::kIsRate);
 }
-BENCHMARK_CAPTURE(pyramid, balls_17, 17, true)
-    ->Arg(1)
-    ->Arg(2)
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(pyramid, any_15, 15, false)
-    ->Arg(1)
-    ->Arg(2)
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+
+/// Schneiders' pyramid with few hexahedra, and with few interior vertices.
+void pyramid(benchmark::State& state, int hexahedra, bool ball) {
+  search(state, hexahedra, hexes::most_interior_vertices(16, hexahedra), ball);
+}
+void pyramid_inside(benchmark::State& state, int interior) {
+  search(state, hexes::kMaxHexahedra, interior, true);
+}
+
+void on_threads(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMillisecond);
+}
+BENCHMARK_CAPTURE(pyramid, balls_18, 18, true)->Apply(on_threads);
+BENCHMARK_CAPTURE(pyramid, any_16, 16, false)->Apply(on_threads);
+BENCHMARK_CAPTURE(pyramid_inside, balls_13, 13)->Apply(on_threads);
 
 }  // namespace
