@@ -67,7 +67,7 @@ bool PartialMesh::balance() noexcept {
   new_vertices_.of_colour = {surplus, 0};
   is_balanced_ = true;
   new_vertices_ = new_vertices(new_vertices_.all);
-  return new_vertices_.of_colour[0] >= 0 && new_vertices_.of_colour[1] >= 0;
+  return !new_vertices_.are_negative();
 }
 
 NewVertices PartialMesh::new_vertices(int most) const noexcept {
@@ -201,8 +201,11 @@ VertexSet PartialMesh::closing(Vertex p, Vertex q, Vertex r) const noexcept {
 
 VertexSet PartialMesh::tops_over(int number, std::size_t i) const noexcept {
   const Facet& b = facet(number);
-  return above(b, i) & ~barred_tops_[static_cast<std::size_t>(number)][i] &
-         ~bent_at(b[(i + 1) % 4], b[i]) & ~bent_at(b[(i + 3) % 4], b[i]);
+  const Vertex after = b[(i + 1) % 4], before = b[(i + 3) % 4];
+  const VertexSet barred = no_edge_from(b[i]) | not_diagonal_[after] | not_diagonal_[before] |
+                           related_[b[(i + 2) % 4]] | bent_at(after, b[i]) | bent_at(before, b[i]) |
+                           barred_tops_[static_cast<std::size_t>(number)][i];
+  return ~barred & (ball_ ? of_other_colour(b[i]) & open_vertices_ : all_);
 }
 
 /// Those of the vertices that may be above corner i that fit the tops before it.
@@ -264,7 +267,7 @@ void PartialMesh::put(Vertex top) {
   const std::size_t i = tops_;
   top_[i] = top;
   Step step{.top = top, .is_new = top == vertices_};
-  if (step.is_new) add_vertex(top, 1U - colour_of_[facet(bottom_)[i]]);
+  if (step.is_new) add_vertex(top, other_colour(facet(bottom_)[i]));
   relate(i, top, step);
   steps_.push_back(step);
   if (i == 3)

@@ -42,6 +42,9 @@ struct NewVertices {
   [[nodiscard]] bool permit(unsigned colour) const noexcept {
     return all > 0 && of_colour[colour] > 0;
   }
+  [[nodiscard]] bool are_negative() const noexcept {
+    return all < 0 || of_colour[0] < 0 || of_colour[1] < 0;
+  }
   void add(unsigned colour, int count) noexcept {
     all += count;
     of_colour[colour] += count;
@@ -112,8 +115,8 @@ class PartialMesh {
   [[nodiscard]] int boundary_vertices() const noexcept { return boundary_vertices_; }
   /// How many more vertices there may be.
   [[nodiscard]] const NewVertices& new_vertices() const noexcept { return new_vertices_; }
-  /// How many more there may be if they are at most so many. Where the mesh is balanced,
-  /// of_colour is less than 0 if there is no balance with as few.
+  /// How many more there may be if they are at most so many. Where the mesh is balanced they are
+  /// negative if there is no balance with as few.
   [[nodiscard]] NewVertices new_vertices(int most) const noexcept;
   [[nodiscard]] const std::vector<Cell>& cells() const noexcept { return cells_; }
   [[nodiscard]] const FacetSet& open() const noexcept { return open_; }
@@ -149,7 +152,7 @@ class PartialMesh {
   /// outside of the boundary is a face of it.
   [[nodiscard]] int link_euler(Vertex v) const noexcept {
     const int edges = std::popcount(edges_from(v));
-    const int facets = std::popcount(not_edge_[v] & ~not_diagonal_[v]);
+    const int facets = std::popcount(diagonals_from(v));
     return edges - facets + cells_at_[v] + (is_interior(v) ? 0 : 1);
   }
   /// Euler characteristic of the part of the 3-sphere that is there: the hexahedra, the boundary,
@@ -236,14 +239,6 @@ class PartialMesh {
   /// The vertices that have a facet diagonal with v.
   [[nodiscard]] VertexSet diagonals_from(Vertex v) const noexcept {
     return not_edge_[v] & ~not_diagonal_[v];
-  }
-  /// The vertices there are that may be above corner i of an open facet, as far as pairs with the
-  /// facet tell.
-  [[nodiscard]] VertexSet above(const Facet& facet, std::size_t i) const noexcept {
-    const Facet& b = facet;
-    const VertexSet barred = no_edge_from(b[i]) | not_diagonal_[b[(i + 1) % 4]] |
-                             not_diagonal_[b[(i + 3) % 4]] | related_[b[(i + 2) % 4]];
-    return ~barred & (ball_ ? colour_[1 - colour_of_[b[i]]] & open_vertices_ : all_);
   }
   [[nodiscard]] VertexSet bent_at(Vertex from, Vertex corner) const noexcept;
   [[nodiscard]] VertexSet closing(Vertex p, Vertex q, Vertex r) const noexcept;

@@ -56,9 +56,7 @@ bool HexSearch::is_refuted_by_budgets(int left, Level& level) {
 
 bool HexSearch::is_refuted_by_corners(int left, bool ears, Level& level) {
   level.new_vertices = mesh_.new_vertices(new_vertices_within(mesh_, open_, left, ears));
-  const auto& [all, of_colour] = level.new_vertices;
-  return (all < 0 || of_colour[0] < 0 || of_colour[1] < 0) &&
-         refute(Refutation::Rule::corner_budget);
+  return level.new_vertices.are_negative() && refute(Refutation::Rule::corner_budget);
 }
 
 /// Requires that is_refuted_by_budgets() was asked.
