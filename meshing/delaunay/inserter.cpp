@@ -325,14 +325,12 @@ void Inserter<Index, kIsWeighted>::collect_facets() {
 template <class Index, bool kIsWeighted>
 bool Inserter<Index, kIsWeighted>::number_vertices() {
   constexpr Index kVertex = ~Tetrahedron::kMark;
-  links_.clear();
-  for (const Index v : cells_[doomed_[0] / 4].vertices)
-    if (!links_.add(v & kVertex)) return false;
-  for (std::size_t i = 1; i < doomed_count_; ++i) {
-    const Index apex = cells_[doomed_[i] / 4].vertices[doomed_[i] % 4];
-    if (!links_.add(apex & kVertex)) return false;
-  }
-  return true;
+  if (vertices_.size() < doomed_count_ + 3) vertices_.resize(2 * (doomed_count_ + 3));
+  Index* last = vertices_.data();
+  for (const Index v : cells_[doomed_[0] / 4].vertices) *last++ = v & kVertex;
+  for (std::size_t i = 1; i < doomed_count_; ++i)
+    *last++ = cells_[doomed_[i] / 4].vertices[doomed_[i] % 4] & kVertex;
+  return links_.number({vertices_.data(), last});
 }
 
 template class Inserter<std::uint32_t, false>;

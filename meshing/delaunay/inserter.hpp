@@ -122,6 +122,7 @@ class alignas(kApart) Inserter {
   std::vector<Facet> facets_;  ///< the same
   std::size_t facet_count_ = 0;
   std::vector<Index> new_cells_;  ///< for each facet
+  std::vector<Index> vertices_;   ///< of the cavity, each once or more
   std::vector<Index> free_;
   Index twin_ = kNone;
 };

@@ -2,19 +2,18 @@
 /// \file
 /// Private to meshing/delaunay: small numbers for the vertices of one cavity.
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "meshing/delaunay/cells.hpp"
 
 namespace hexatlas::delaunay {
 
-/// Gives each new vertex the next number, from 0 on; the ghost vertex always has 0.
+/// Numbers vertices from 1 on; the ghost vertex always has 0.
 ///
-/// Method. P. Briggs, L. Torczon, "An efficient representation for sparse sets" (1993): a byte for
-/// each vertex, never cleared, is believed only if the list of numbered vertices confirms it.
-/// Without a branch, since whether a vertex is new cannot be foretold.
+/// Method. A byte for each vertex: those of all vertices are cleared first, then numbers are given
+/// where there is none yet. Without a branch, since whether a vertex is new cannot be foretold, and
+/// without a list to confirm the numbers, as each would have to wait for the one before.
 template <class Index>
 class LocalVertices {
  public:
@@ -24,32 +23,32 @@ class LocalVertices {
   /// type of characters, which might be anything's representation for all the compiler knows.
   enum class Claim : std::uint8_t {};
 
-  explicit LocalVertices(Claim* claims) : claims_(claims) { vertices_[0] = kGhost; }
+  explicit LocalVertices(Claim* claims) : claims_(claims) {}
   void use(Claim* claims) noexcept { claims_ = claims; }
 
-  void clear() noexcept { count_ = 1; }
-
-  /// Gives the vertex a number unless it has one; false if there are no more.
-  [[nodiscard]] bool add(Index v) noexcept {
-    if (v == kGhost) return true;
-    if (count_ == kMost) return false;
-    const auto claimed = static_cast<unsigned>(claims_[v]) % kMost;
-    const bool is_known = (claimed < count_) & (vertices_[claimed] == v);
-    const unsigned number = count_ ^ ((count_ ^ claimed) & (0U - static_cast<unsigned>(is_known)));
-    vertices_[number] = v;
-    claims_[v] = static_cast<Claim>(number);
-    count_ += static_cast<unsigned>(!is_known);
-    return true;
+  /// Forgets what was before; a vertex may come again. False if they are too many.
+  [[nodiscard]] bool number(std::span<const Index> vertices) noexcept {
+    for (const Index v : vertices)
+      if (v != kGhost) claims_[v] = kNoNumber;
+    unsigned count = 1;
+    for (const Index v : vertices) {
+      if (v == kGhost) continue;
+      const Claim claim = claims_[v];
+      const bool is_new = claim == kNoNumber;
+      claims_[v] = is_new ? static_cast<Claim>(count) : claim;
+      count += static_cast<unsigned>(is_new);
+    }
+    return count <= kMost;
   }
-  /// Requires that the vertex was added.
+  /// Requires that it was numbered.
   [[nodiscard]] unsigned number_of(Index v) const noexcept {
     return v == kGhost ? 0U : static_cast<unsigned>(claims_[v]);
   }
 
  private:
+  static constexpr Claim kNoNumber{255};
+
   Claim* claims_;
-  unsigned count_ = 1;
-  std::array<Index, kMost> vertices_{};
 };
 
 }  // namespace hexatlas::delaunay

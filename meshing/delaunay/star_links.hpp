@@ -34,12 +34,13 @@ class StarLinks {
   explicit StarLinks(Claim* claims) : locals_(claims), edges_(kEdges) {}
   void use(Claim* claims) noexcept { locals_.use(claims); }
 
-  /// Forgets all vertices.
-  void clear() noexcept { locals_.clear(); }
-  /// A vertex that a facet may have; false if they are too many for small numbers.
-  [[nodiscard]] bool add(Index v) noexcept { return locals_.add(v); }
+  /// The vertices that the facets have, each once or more; false if they are too many for small
+  /// numbers.
+  [[nodiscard]] bool number(std::span<const Index> vertices) noexcept {
+    return locals_.number(vertices);
+  }
 
-  /// Requires that all vertices of the facets were added.
+  /// Requires that all vertices of the facets were numbered.
   void link(Cells<Index>& cells, std::span<const Facet> facets, const Index* new_cells);
   /// For any vertices.
   void link_by_sorting(Cells<Index>& cells, std::span<const Facet> facets, const Index* new_cells);
