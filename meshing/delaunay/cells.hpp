@@ -50,6 +50,7 @@ class Cells {
  public:
   [[nodiscard]] Cell<Index>& operator[](Index c) noexcept { return cells_[c]; }
   [[nodiscard]] const Cell<Index>& operator[](Index c) const noexcept { return cells_[c]; }
+  [[nodiscard]] Cell<Index>* data() noexcept { return cells_.data(); }
 
   /// Every cell that was ever handed out is below. Requires reserve().
   [[nodiscard]] std::size_t size() const noexcept {

@@ -52,9 +52,9 @@
 /// The ghost vertex, at infinity, is a site that is not a number. In the 4 x 4 determinant its row
 /// is (0, 0, 0, D): as the tie rule wants it, the place does not count beside the height.
 
-#include <array>
 #include <cstdint>
 
+#include "meshing/delaunay/digging.hpp"
 #include "meshing/delaunay/site.hpp"
 
 namespace hexatlas::delaunay {
@@ -64,8 +64,6 @@ struct FacetSigns {
   unsigned positive = 0;   ///< the sign is positive, proven
   unsigned undecided = 0;  ///< neither sign is proven
 };
-
-using FourSites = std::array<const Site*, 4>;
 
 struct FourFacets {
   /// Positive: p lies strictly beyond facet j.
@@ -90,6 +88,13 @@ struct FourFacets {
   /// By (3) and (4), with the ghost vertex.
   FacetSigns (*conflict_closely)(const FourSites& corners, const FourSites& apexes, const Site& p,
                                  double short_below);
+
+  /// Finds the cavity from its first cell, which is marked, and marks its cells, in the same order
+  /// for all processors; false if it leaves the region. Decides as conflict() does.
+  bool (*dig_short)(Digging<std::uint32_t>& cavity);
+  bool (*dig_long)(Digging<std::uint64_t>& cavity);
+  [[nodiscard]] bool dig(Digging<std::uint32_t>& cavity) const { return dig_short(cavity); }
+  [[nodiscard]] bool dig(Digging<std::uint64_t>& cavity) const { return dig_long(cavity); }
 };
 
 /// The fastest that this processor can.
@@ -97,6 +102,8 @@ struct FourFacets {
 
 /// Built for a processor with AVX2 and FMA, or nullptr where the compiler has none.
 [[nodiscard]] const FourFacets* four_facets_avx2() noexcept;
+/// The same for AVX-512 VL and DQ, and FMA.
+[[nodiscard]] const FourFacets* four_facets_avx512() noexcept;
 [[nodiscard]] const FourFacets& four_facets_plain() noexcept;
 
 }  // namespace hexatlas::delaunay

@@ -1,5 +1,5 @@
-// Private to meshing/delaunay: what four_facets_avx2.cpp and four_facets_plain.cpp compile, each
-// for its processor, in an unnamed namespace. No function of the standard library: its code, made
+// Private to meshing/delaunay: what four_facets_plain.cpp and its like compile, each for its
+// processor, in an unnamed namespace. No function of the standard library: its code, made
 // for one processor, could be linked into what runs on the other.
 
 #include "meshing/delaunay/four_facets.hpp"
@@ -197,9 +197,9 @@ FacetSigns conflict_closely(const FourSites& corners, const FourSites& apexes, c
                              (most < kGreatestSquare));
 }
 
-FacetSigns conflict_quickly(const FourSites& corners, const FourSites& apexes, const Site& p) {
-  const Rows a = relative(corners, p), b = turned(a), c = turned(b);
-  const Rows d = relative(apexes, p);
+/// Of the corners, and the apexes.
+[[gnu::always_inline]] inline FacetSigns filtered(const Rows& a, const Rows& d) {
+  const Rows b = turned(a), c = turned(b);
   // Term by term, so that few registers are in use.
   const Lanes xy = (a.x * b.y - a.y * b.x) * (c.z * d.w - c.w * d.z);
   const Lanes xz = (a.x * b.z - a.z * b.x) * (c.y * d.w - c.w * d.y);
@@ -211,6 +211,10 @@ FacetSigns conflict_quickly(const FourSites& corners, const FourSites& apexes, c
   const Lanes most = greater(greater(a.w, b.w), greater(c.w, d.w));
   const Lanes bound = kSphereBound * ((a.w * b.w) * (c.w * d.w) * most) + kSphereUnderflow;
   return signs_of(value, (value * value > bound) & (most < kGreatestSquare));
+}
+
+FacetSigns conflict_quickly(const FourSites& corners, const FourSites& apexes, const Site& p) {
+  return filtered(relative(corners, p), relative(apexes, p));
 }
 
 // NOLINTEND(misc-definitions-in-headers)

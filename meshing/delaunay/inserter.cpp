@@ -12,10 +12,6 @@ namespace {
 
 using exact::Sign;
 
-/// The vertices of facet j in an order that is right-handed with a point inside before them.
-constexpr std::array<std::array<std::uint8_t, 3>, 4> kInward{
-    {{0, 2, 1}, {1, 2, 3}, {2, 0, 3}, {3, 0, 1}}};
-
 constexpr std::size_t kAtOnce = 4096;  // cells taken from the common store
 
 }  // namespace
@@ -88,7 +84,7 @@ Outcome Inserter<Index, kIsWeighted>::insert(Index site) {
     undo();
     return Outcome::postponed;
   }
-  if (!walk_.is_confined()) make_room();
+  if (!walk_.is_confined()) make_cells();
   if (!has_room()) {
     undo();
     return Outcome::no_room;
@@ -150,108 +146,54 @@ bool Inserter<Index, kIsWeighted>::conflicts(const Tetrahedron& cell, const Site
 }
 
 template <class Index, bool kIsWeighted>
-typename Inserter<Index, kIsWeighted>::Neighbors Inserter<Index, kIsWeighted>::neighbors_of(
-    const Tetrahedron& cell) const noexcept {
-  Neighbors around{};
-  for (unsigned j = 0; j < 4; ++j) {
-    const Index corner = cell.vertices[j];
-    around.corners[j] = &sites_[j == 0 ? corner & ~Tetrahedron::kMark : corner];
-    const Index facet = cell.neighbors[opposite_of(j)];
-    const Tetrahedron& other = cells_[facet / 4];
-    const bool is_alive = !other.is_marked();
-    const Index apex = other.vertices[facet % 4];
-    around.alive |= static_cast<unsigned>(is_alive) << j;
-    around.apexes[j] = &sites_[is_alive ? apex : cell.vertices[1]];  // at hand, and in the region
-    around.facets[j] = facet;
-  }
-  return around;
-}
-
-/// Whether one of the given neighbours, which the cavity is to have, does.
-template <class Index, bool kIsWeighted>
-bool Inserter<Index, kIsWeighted>::leaves_region(const Neighbors& around,
-                                                 unsigned inside) const noexcept {
-  if (walk_.region().has_all(around.apexes)) return false;
-  for (unsigned rest = inside; rest != 0; rest &= rest - 1) {
-    const Site* const apex = around.apexes[static_cast<unsigned>(std::countr_zero(rest))];
-    if (apex != &sites_[kGhost] && !walk_.region().has(*apex)) return true;
-  }
-  return false;
-}
-
-/// The neighbours, a bit for each facet, that are in conflict with the site.
-template <class Index, bool kIsWeighted>
-unsigned Inserter<Index, kIsWeighted>::conflicting(const Neighbors& around, const Site& p) const {
-  if constexpr (kIsWeighted) {
-    return conflicting_exactly(around, around.alive, p);
-  } else {
-    const FacetSigns signs =
-        signs_.conflict(around.corners, around.apexes, p, around.alive, short_below_);
-    const unsigned rest = signs.undecided & around.alive;
-    const unsigned inside = signs.positive & around.alive;
-    return rest == 0 ? inside : inside | conflicting_exactly(around, rest, p);
-  }
-}
-
-/// Of the given ones.
-template <class Index, bool kIsWeighted>
-unsigned Inserter<Index, kIsWeighted>::conflicting_exactly(const Neighbors& around, unsigned facets,
+unsigned Inserter<Index, kIsWeighted>::conflicting_exactly(const Tetrahedron& cell, unsigned which,
                                                            const Site& p) const {
   unsigned inside = 0;
-  for (unsigned rest = facets; rest != 0; rest &= rest - 1) {
+  for (unsigned rest = which; rest != 0; rest &= rest - 1) {
     const auto j = static_cast<unsigned>(std::countr_zero(rest));
-    if (conflicts(cells_[around.facets[j] / 4], p)) inside |= 1U << j;
+    if (conflicts(cells_[cell.neighbors[opposite_of(j)] / 4], p)) inside |= 1U << j;
   }
   return inside;
+}
+
+template <class Index, bool kIsWeighted>
+void Inserter<Index, kIsWeighted>::make_room() {
+  const std::size_t room = 2 * (cavity_.room + 4);
+  doomed_.resize(room);
+  // Connected cells: each but one shares a facet with one before, so that 2 n + 2 are left.
+  facets_.resize(2 * room + 8);
+  new_cells_.resize(facets_.size());
+  cavity_.room = room;
+  cavity_.doomed = doomed_.data();
+  cavity_.facets = facets_.data();
 }
 
 /// Finds the cavity and marks its tetrahedra; false if it leaves the region.
 template <class Index, bool kIsWeighted>
 bool Inserter<Index, kIsWeighted>::dig(Index start, const Site& p) {
-  constexpr Index kMark = Tetrahedron::kMark;
-  const auto make_room = [](auto& list, std::size_t count) {
-    if (list.size() < count) list.resize(2 * count);
-  };
-  make_room(doomed_, 4);
+  cavity_.owner = this;
+  cavity_.cells = cells_.data();
+  cavity_.sites = sites_;
+  cavity_.site = &p;
+  cavity_.is_exact = kIsWeighted;
+  cavity_.is_confined = walk_.is_confined();
+  if (cavity_.is_confined) cavity_.region = walk_.region();
+  if (cavity_.room == 0) make_room();
   doomed_[0] = 4 * start;
-  doomed_count_ = 1;
-  facet_count_ = 0;
-  cells_[start].vertices[0] |= kMark;
-  std::size_t fetched = 1;
-  for (std::size_t k = 0; k < doomed_count_; ++k) {
-    make_room(doomed_, doomed_count_ + 4);
-    make_room(walls_, facet_count_ + 4);
-    const Neighbors around = neighbors_of(cells_[doomed_[k] / 4]);
-    const unsigned inside = conflicting(around, p);
-    if (walk_.is_confined() && leaves_region(around, inside)) return false;
-    const unsigned outside = around.alive & ~inside;
-    // Written in any case, counted if it applies: which it is cannot be foretold.
-    for (unsigned j = 0; j < 4; ++j) {
-      const auto is_inside = static_cast<Index>(inside >> j & 1U);
-      doomed_[doomed_count_] = around.facets[j];
-      doomed_count_ += is_inside;
-      cells_[around.facets[j] / 4].vertices[0] |= is_inside * kMark;
-      walls_[facet_count_] = static_cast<std::uint32_t>(4 * k + j);
-      facet_count_ += outside >> j & 1U;
-    }
-    // What a later step looks at, if there is one, as early as may be.
-    for (const Index facet : cells_[doomed_[fetched] / 4].neighbors)
-      __builtin_prefetch(&cells_[facet / 4]);
-    fetched += static_cast<std::size_t>(fetched < doomed_count_);
-  }
-  return true;
+  cells_[start].vertices[0] |= Tetrahedron::kMark;
+  return signs_.dig(cavity_);
 }
 
 template <class Index, bool kIsWeighted>
 void Inserter<Index, kIsWeighted>::undo() {
-  for (std::size_t i = 0; i < doomed_count_; ++i)
+  for (std::size_t i = 0; i < cavity_.doomed_count; ++i)
     cells_[doomed_[i] / 4].vertices[0] &= ~Tetrahedron::kMark;
 }
 
 /// Sees to as many free cells as the new tetrahedra need besides those of the cavity, if there are.
 template <class Index, bool kIsWeighted>
 bool Inserter<Index, kIsWeighted>::has_room() {
-  while (free_.size() + doomed_count_ < facet_count_) {
+  while (free_.size() + cavity_.doomed_count < cavity_.facet_count) {
     const auto range = cells_.taken(kAtOnce);
     if (range.begin == range.end) return false;
     for (std::size_t c = range.end; c-- > range.begin;) free_.push_back(static_cast<Index>(c));
@@ -261,10 +203,10 @@ bool Inserter<Index, kIsWeighted>::has_room() {
 
 /// Sees to it that there are. If the system has no more, all is as before.
 template <class Index, bool kIsWeighted>
-void Inserter<Index, kIsWeighted>::make_room() {
-  if (free_.size() + doomed_count_ >= facet_count_) return;
+void Inserter<Index, kIsWeighted>::make_cells() {
+  if (free_.size() + cavity_.doomed_count >= cavity_.facet_count) return;
   try {
-    cells_.reserve(cells_.size() + facet_count_);
+    cells_.reserve(cells_.size() + cavity_.facet_count);
   } catch (...) {
     undo();
     throw;
@@ -273,21 +215,20 @@ void Inserter<Index, kIsWeighted>::make_room() {
 
 template <class Index, bool kIsWeighted>
 void Inserter<Index, kIsWeighted>::fill(Index site) {
-  collect_facets();
   const bool is_numbered = number_vertices();
-  for (std::size_t i = 0; i < doomed_count_; ++i) {
-    if (i < facet_count_) {
+  for (std::size_t i = 0; i < cavity_.doomed_count; ++i) {
+    if (i < cavity_.facet_count) {
       new_cells_[i] = doomed_[i] / 4;
       continue;
     }
     cells_[doomed_[i] / 4].vertices[0] = kNone;
     free_.push_back(doomed_[i] / 4);
   }
-  for (std::size_t i = doomed_count_; i < facet_count_; ++i) {
+  for (std::size_t i = cavity_.doomed_count; i < cavity_.facet_count; ++i) {
     new_cells_[i] = free_.back();
     free_.pop_back();
   }
-  for (std::size_t i = 0; i < facet_count_; ++i) {
+  for (std::size_t i = 0; i < cavity_.facet_count; ++i) {
     const auto& [v, outer] = facets_[i];
     Tetrahedron& cell = cells_[new_cells_[i]];
     cell.vertices = {site, v[0], v[1], v[2]};
@@ -295,29 +236,11 @@ void Inserter<Index, kIsWeighted>::fill(Index site) {
     cells_[outer / 4].neighbors[outer % 4] = 4 * new_cells_[i];
   }
   walk_.start_at(new_cells_[0]);
-  const std::span<const Facet> facets(facets_.data(), facet_count_);
+  const std::span<const Facet> all(facets_.data(), cavity_.facet_count);
   if (is_numbered)
-    links_.link(cells_, facets, new_cells_.data());
+    links_.link(cells_, all, new_cells_.data());
   else
-    links_.link_by_sorting(cells_, facets, new_cells_.data());
-}
-
-/// Before the cells of the cavity are used again.
-template <class Index, bool kIsWeighted>
-void Inserter<Index, kIsWeighted>::collect_facets() {
-  if (facets_.size() < facet_count_) {
-    facets_.resize(2 * facet_count_);
-    new_cells_.resize(2 * facet_count_);
-  }
-  for (std::size_t i = 0; i < facet_count_; ++i) {
-    const Tetrahedron& cell = cells_[doomed_[walls_[i] / 4] / 4];
-    const unsigned facet = walls_[i] % 4;
-    const auto [a, b, c] = kInward[facet];
-    constexpr Index kVertex = ~Tetrahedron::kMark;
-    facets_[i] = {
-        {cell.vertices[a] & kVertex, cell.vertices[b] & kVertex, cell.vertices[c] & kVertex},
-        cell.neighbors[opposite_of(facet)]};
-  }
+    links_.link_by_sorting(cells_, all, new_cells_.data());
 }
 
 /// The vertices of the cavity: four, and one more at most for each further tetrahedron. Before the
@@ -325,10 +248,10 @@ void Inserter<Index, kIsWeighted>::collect_facets() {
 template <class Index, bool kIsWeighted>
 bool Inserter<Index, kIsWeighted>::number_vertices() {
   constexpr Index kVertex = ~Tetrahedron::kMark;
-  if (vertices_.size() < doomed_count_ + 3) vertices_.resize(2 * (doomed_count_ + 3));
+  if (vertices_.size() < cavity_.doomed_count + 3) vertices_.resize(2 * (cavity_.doomed_count + 3));
   Index* last = vertices_.data();
   for (const Index v : cells_[doomed_[0] / 4].vertices) *last++ = v & kVertex;
-  for (std::size_t i = 1; i < doomed_count_; ++i)
+  for (std::size_t i = 1; i < cavity_.doomed_count; ++i)
     *last++ = cells_[doomed_[i] / 4].vertices[doomed_[i] % 4] & kVertex;
   return links_.number({vertices_.data(), last});
 }

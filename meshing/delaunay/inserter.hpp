@@ -28,6 +28,7 @@
 
 #include "meshing/delaunay/cells.hpp"
 #include "meshing/delaunay/common_unit.hpp"
+#include "meshing/delaunay/digging.hpp"
 #include "meshing/delaunay/four_facets.hpp"
 #include "meshing/delaunay/site.hpp"
 #include "meshing/delaunay/star_links.hpp"
@@ -48,7 +49,7 @@ enum class Outcome : std::uint8_t {
 inline constexpr std::size_t kApart = 128;
 
 template <class Index, bool kIsWeighted>
-class alignas(kApart) Inserter {
+class alignas(kApart) Inserter final : private Digging<Index>::Owner {
  public:
   using Claim = typename StarLinks<Index>::Claim;
 
@@ -64,7 +65,7 @@ class alignas(kApart) Inserter {
   /// The next walk begins where it says, within its region if there is one.
   [[nodiscard]] Walk<Index>& walk() noexcept { return walk_; }
   /// Of all sites that are to be inserted.
-  void use(const CommonUnit& unit) noexcept { short_below_ = unit.short_below(); }
+  void use(const CommonUnit& unit) noexcept { cavity_.short_below = unit.short_below(); }
   /// Sites, claims and weights have moved; there may be more of them.
   void use(const Site* sites, Claim* claims, const double* weights) noexcept;
 
@@ -72,7 +73,7 @@ class alignas(kApart) Inserter {
   [[nodiscard]] Index twin() const noexcept { return twin_; }
   /// After `inserted`: the tetrahedra at the site.
   [[nodiscard]] std::span<const Index> made() const noexcept {
-    return {new_cells_.data(), facet_count_};
+    return {new_cells_.data(), cavity_.facet_count};
   }
 
   /// The vertex of the cell that is at the place, or kNone.
@@ -82,24 +83,14 @@ class alignas(kApart) Inserter {
   using Tetrahedron = Cell<Index>;
   using Facet = CavityFacet<Index>;
 
-  /// Of a tetrahedron of the cavity, by its facets.
-  struct Neighbors {
-    FourSites corners{}, apexes{};
-    std::array<Index, 4> facets{};  ///< references to them in the neighbours
-    unsigned alive = 0;             ///< the neighbours that are not marked, a bit for each
-  };
-
   [[nodiscard]] bool dig(Index start, const Site& p);
-  [[nodiscard]] Neighbors neighbors_of(const Tetrahedron& cell) const noexcept;
-  [[nodiscard]] bool leaves_region(const Neighbors& around, unsigned inside) const noexcept;
-  [[nodiscard]] unsigned conflicting(const Neighbors& around, const Site& p) const;
-  [[nodiscard]] unsigned conflicting_exactly(const Neighbors& around, unsigned facets,
-                                             const Site& p) const;
+  [[nodiscard]] unsigned conflicting_exactly(const Tetrahedron& cell, unsigned which,
+                                             const Site& p) const override;
+  void make_room() override;
   [[nodiscard]] bool has_room();
-  void make_room();
+  void make_cells();
   void undo();
   void fill(Index site);
-  void collect_facets();
   [[nodiscard]] bool number_vertices();
   [[nodiscard]] Index first_on_hull() const noexcept;
   [[nodiscard]] bool conflicts(const Tetrahedron& cell, const Site& p) const;
@@ -111,16 +102,10 @@ class alignas(kApart) Inserter {
   const double* weights_;
   const FourFacets& signs_;
   Walk<Index> walk_;
-  double short_below_ = -1;  ///< as for FourFacets::conflict()
   StarLinks<Index> links_;
-  /// The cells of the cavity: references to the facets through which they were found, of the first
-  /// one any.
-  std::vector<Index> doomed_;
-  std::size_t doomed_count_ = 0;
-  std::vector<std::uint32_t>
-      walls_;                  ///< of the cavity: 4 i + j for facet j of the cell of doomed_[i]
-  std::vector<Facet> facets_;  ///< the same
-  std::size_t facet_count_ = 0;
+  Digging<Index> cavity_;
+  std::vector<Index> doomed_;  ///< of the cavity, as its facets
+  std::vector<Facet> facets_;
   std::vector<Index> new_cells_;  ///< for each facet
   std::vector<Index> vertices_;   ///< of the cavity, each once or more
   std::vector<Index> free_;

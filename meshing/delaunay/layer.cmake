@@ -1,9 +1,10 @@
 hexatlas_layer(meshing/delaunay
   HEADERS triangulation.hpp
-  SOURCES builder.cpp builder.hpp cells.hpp common_unit.hpp curves.cpp curves.hpp four_facets.hpp
-    four_facets_avx2.cpp four_facets_body.hpp four_facets_plain.cpp inserter.cpp inserter.hpp
-    local_vertices.hpp page_buffer.hpp parts.hpp site.hpp space_order.cpp space_order.hpp
-    star_links.hpp triangulation.cpp walk.hpp
+  SOURCES builder.cpp builder.hpp cells.hpp common_unit.hpp curves.cpp curves.hpp digging.hpp
+    digging_body.hpp four_facets.hpp four_facets_avx2.cpp four_facets_avx512.cpp
+    four_facets_body.hpp four_facets_plain.cpp inserter.cpp inserter.hpp local_vertices.hpp
+    page_buffer.hpp parts.hpp region.hpp site.hpp space_order.cpp space_order.hpp star_links.hpp
+    triangulation.cpp walk.hpp
   USES enum/core enum/parallel realize/exact meshing/mesh)
 # Vectors of four doubles; never an argument of a function that is not inlined.
 target_compile_options(meshing_delaunay PRIVATE -Wno-psabi)
@@ -11,4 +12,7 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   # Chosen when running, where the processor has them. A fused operation leaves out a rounding.
   set_source_files_properties(delaunay/four_facets_avx2.cpp PROPERTIES
     COMPILE_OPTIONS "-mavx2;-mfma;-ffp-contract=fast")
+  # The same vectors, and registers for all of them.
+  set_source_files_properties(delaunay/four_facets_avx512.cpp PROPERTIES COMPILE_OPTIONS
+    "-mavx512f;-mavx512vl;-mavx512dq;-mfma;-mprefer-vector-width=256;-ffp-contract=fast")
 endif()

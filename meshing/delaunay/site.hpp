@@ -2,6 +2,7 @@
 /// \file
 /// Private to meshing/delaunay: a point of the triangulation, one half of a cache line.
 
+#include <array>
 #include <cstdint>
 
 #include "realize/exact/sign.hpp"
@@ -17,5 +18,7 @@ struct alignas(32) Site {
     return x == other.x && y == other.y && z == other.z;
   }
 };
+
+using FourSites = std::array<const Site*, 4>;
 
 }  // namespace hexatlas::delaunay

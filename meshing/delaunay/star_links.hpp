@@ -11,16 +11,10 @@
 #include <vector>
 
 #include "meshing/delaunay/cells.hpp"
+#include "meshing/delaunay/digging.hpp"
 #include "meshing/delaunay/local_vertices.hpp"
 
 namespace hexatlas::delaunay {
-
-/// Of the cavity's boundary: with a vertex inside before them, the vertices are right-handed.
-template <class Index>
-struct CavityFacet {
-  std::array<Index, 3> vertices;
-  Index outer;  ///< the same facet in the tetrahedron that stays
-};
 
 /// New cell i has the site as vertex 0, then the vertices of facet i. Two of them are neighbours
 /// where their facets share an edge. By small numbers of the vertices if there are few, else by

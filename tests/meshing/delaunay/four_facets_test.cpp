@@ -46,6 +46,9 @@ std::vector<std::pair<std::string, const FourFacets*>> implementations() {
   if (delaunay::four_facets_avx2() != nullptr && __builtin_cpu_supports("avx2") != 0 &&
       __builtin_cpu_supports("fma") != 0)
     result.emplace_back("avx2", delaunay::four_facets_avx2());
+  if (delaunay::four_facets_avx512() != nullptr && __builtin_cpu_supports("avx512vl") != 0 &&
+      __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("fma") != 0)
+    result.emplace_back("avx512", delaunay::four_facets_avx512());
 #endif
   return result;
 }

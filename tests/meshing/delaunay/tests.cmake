@@ -14,7 +14,7 @@ hexatlas_test(meshing_delaunay_queries_test fast
   SOURCES delaunay/queries_test.cpp
   USES meshing_delaunay realize_exact)
 hexatlas_test(meshing_delaunay_parts_test fast
-  SOURCES delaunay/four_facets_test.cpp delaunay/space_order_test.cpp
+  SOURCES delaunay/digging_test.cpp delaunay/four_facets_test.cpp delaunay/space_order_test.cpp
   USES meshing_delaunay realize_exact)
 hexatlas_test(meshing_delaunay_threads_test threads
   SOURCES delaunay/threads_test.cpp
