@@ -25,15 +25,19 @@ struct Digging {
   /// Is asked now and then.
   class Owner {
    public:
+    Owner() = default;
+    Owner(const Owner&) = delete;
+    Owner& operator=(const Owner&) = delete;
+    Owner(Owner&&) noexcept = default;
+    Owner& operator=(Owner&&) noexcept = default;
+    virtual ~Owner() = default;
+
     /// The given neighbours of the cell, a bit for each facet of four_facets.hpp, that are in
     /// conflict with the site.
     [[nodiscard]] virtual unsigned conflicting_exactly(const Cell<Index>& cell, unsigned which,
                                                        const Site& p) const = 0;
     /// For four more cells, and as many facets as they can have.
     virtual void make_room() = 0;
-
-   protected:
-    ~Owner() = default;
   };
 
   Owner* owner = nullptr;

@@ -16,9 +16,9 @@ namespace {
 /// of the cavity.
 template <class Index>
 struct Neighbors {
-  FourSites corners, apexes;
-  std::array<Index, 4> firsts;  ///< vertices, with marks
-  unsigned alive = 0;           ///< the neighbours that are not marked, a bit for each
+  FourSites corners{}, apexes{};
+  std::array<Index, 4> firsts{};  ///< vertices, with marks
+  unsigned alive = 0;             ///< the neighbours that are not marked, a bit for each
 };
 
 template <class Index>

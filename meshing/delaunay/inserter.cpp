@@ -37,7 +37,7 @@ void Inserter<Index, kIsWeighted>::use(const Site* sites, Claim* claims,
 
 template <class Index, bool kIsWeighted>
 void Inserter<Index, kIsWeighted>::begin(const std::array<Index, 4>& sites) {
-  cells_.reserve(5);
+  cells_.reserve(6);  // cell 0 is none
   const auto first = static_cast<Index>(cells_.taken(5).begin);
   // The last cell is the tetrahedron; the others have the ghost vertex in place of one vertex, and
   // two exchanged, since the ghost vertex lies on the other side.
