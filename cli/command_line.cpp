@@ -193,6 +193,44 @@ void add_table_readers(CLI::App& table, Action& action) {
   });
 }
 
+void add_table_bounds(CLI::App& table, Action& action, const std::string& command_line) {
+  auto* bounds = table.add_subcommand(
+      "bounds", "Raise the lower bounds of a table by exhaustive search for smaller meshes");
+  auto options = std::make_shared<TableBoundsOptions>();
+  options->command = command_line;
+  bounds->add_option("TABLE", options->table, "Table [the one beside the program]");
+  bounds
+      ->add_option("-o,--output", options->output,
+                   "Table to write (.hxt), with manifest and census; it may be TABLE")
+      ->required();
+  bounds
+      ->add_option("--max-hexes", options->max_hexahedra,
+                   "Search for balls with at most this many hexahedra; each one more takes some "
+                   "three times as long")
+      ->required()
+      ->check(CLI::Range(1, 64));
+  bounds
+      ->add_option("--max-quads", options->max_quads,
+                   "Boundaries with more quads are left as they are")
+      ->check(CLI::Range(6, 64))
+      ->capture_default_str();
+  bounds->add_option("--only", options->only,
+                     "Boundaries, by name or canonical code; all others are left as they are");
+  bounds->add_option("--max-nodes", options->max_nodes, "Of the searches for one boundary")
+      ->check(CLI::PositiveNumber);
+  bounds->add_option("--save-every", options->save_every, "Seconds between two saves, at least")
+      ->check(CLI::Range(0, 86'400))
+      ->capture_default_str();
+  bounds->add_flag("--json", options->json, "Print one JSON object");
+  add_threads(*bounds, options->threads);
+  bounds->footer(example("hexatlas table bounds my.hxt -o my.hxt --max-hexes 10"));
+  bounds->callback([options, &action] {
+    if (options->output.empty() || options->output == "-")
+      throw CLI::ValidationError("--output", "a table and its manifest need the name of a file");
+    action = [options] { return table_bounds(*options); };
+  });
+}
+
 void add_table(CLI::App& app, Action& action, const std::string& command_line) {
   auto* table = app.add_subcommand("table", "Make, read and judge tables of meshes");
   table->require_subcommand(1);
@@ -268,6 +306,7 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
       throw CLI::ValidationError("--output", "a table and its manifest need the name of a file");
     action = [options] { return table_build(*options); };
   });
+  add_table_bounds(*table, action, command_line);
   add_table_readers(*table, action);
 }
 

@@ -154,6 +154,19 @@ struct TableBuildOptions {
 };
 [[nodiscard]] ExitCode table_build(const TableBuildOptions& options);
 
+struct TableBoundsOptions {
+  std::string table, output;
+  int max_hexahedra = 0;
+  int max_quads = complex::kMaxQuads;
+  std::vector<std::string> only;                ///< names or codes; empty: all boundaries
+  std::uint64_t max_nodes = ~std::uint64_t{0};  ///< per boundary
+  int save_every = 600;                         ///< seconds
+  bool json = false;
+  int threads = 0;  ///< 0: all processors
+  std::string command;
+};
+[[nodiscard]] ExitCode table_bounds(const TableBoundsOptions& options);
+
 struct TableInfoOptions {
   std::string table;
   bool by_quads = false;

@@ -6,8 +6,8 @@ add_executable(hexatlas
   cli/interrupt.cpp cli/long_work.cpp cli/main.cpp cli/mesh_boundary.cpp cli/mesh_delaunay.cpp cli/mesh_hex.cpp cli/mesh_hybrid.cpp cli/hybrid_text.cpp cli/mesh_quads.cpp
   cli/mesh_untangle.cpp cli/mesh_output.cpp
   cli/mesh_report.cpp cli/mesh_hex_report.cpp cli/histogram_chart.cpp cli/output.cpp
-  cli/realize.cpp cli/reproduce.cpp cli/simplify.cpp cli/table_build.cpp cli/table_by_quads.cpp
-  cli/table_check.cpp cli/table_path.cpp cli/table_read.cpp cli/child_process.cpp cli/command_line_view.cpp
+  cli/realize.cpp cli/reproduce.cpp cli/simplify.cpp cli/table_bounds.cpp cli/table_build.cpp cli/table_by_quads.cpp
+  cli/table_check.cpp cli/table_path.cpp cli/table_read.cpp cli/table_write.cpp cli/child_process.cpp cli/command_line_view.cpp
   cli/view.cpp cli/view_page.cpp cli/view_picture.cpp)
 include(${CMAKE_CURRENT_SOURCE_DIR}/cli/view/view.cmake)
 target_include_directories(hexatlas PRIVATE ${PROJECT_SOURCE_DIR})
@@ -27,7 +27,7 @@ else()  # configure anew when the commit or the index changes
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
     ${PROJECT_SOURCE_DIR}/.git/HEAD ${PROJECT_SOURCE_DIR}/.git/index)
 endif()
-set_source_files_properties(cli/table_build.cpp PROPERTIES
+set_source_files_properties(cli/table_write.cpp PROPERTIES
   COMPILE_DEFINITIONS "HEXATLAS_COMMIT=\"${commit}\"")
 set_source_files_properties(cli/output.cpp PROPERTIES
   COMPILE_DEFINITIONS "HEXATLAS_VERSION=\"${PROJECT_VERSION}\"")

@@ -1,23 +1,20 @@
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <ctime>
-#include <exception>
+#include <map>
 #include <optional>
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
+#include "cli/table_write.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "tables/build/census.hpp"
 #include "tables/build/named.hpp"
 #include "tables/build/search.hpp"
-#include "tables/format/manifest.hpp"
 
 namespace hexatlas::cli {
 namespace {
@@ -134,43 +131,40 @@ int complete_through(int max_quads, const std::vector<canon::Code>& without_mesh
   return complete < 6 ? 0 : complete;
 }
 
-/// SOURCE_DATE_EPOCH, for builds that are to be the same on any day, or today.
-std::string today() {
-  std::time_t now = std::time(nullptr);
-  if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) now = std::atoll(epoch);
-  return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
-}
-
-build::Census census_of(const build::TableSearch& search, const format::Table& table) {
-  build::Census census{{table.sha256(), "hexatlas " + version(), HEXATLAS_COMMIT}, {}};
-  const std::string found = today();
+/// How the meshes were found. Those that were taken over have the date of this table, too.
+std::map<canon::Code, Found> found_of(const build::TableSearch& search) {
+  std::map<canon::Code, Found> result;
+  const std::string date = today();
   for (const auto& row : search.rows())
-    census.rows.push_back(build::census_row(table.entry(table.find(row.code).value()),
-                                            std::string(build::name_of(row.origin)), found));
-  return census;
+    result[row.code] = {std::string(build::name_of(row.origin)), date};
+  return result;
 }
 
-/// The table took the time: it stays where what belongs to it cannot be written.
-void write_all(const TableBuildOptions& options, const build::TableSearch& search,
-               const format::Table& table, const std::string& bytes) {
-  core::write_file(options.output, bytes);
-  try {
-    core::write_file(format::manifest_path(options.output),
-                     format::manifest_text(table, {options.command, options.search.balls.seed,
-                                                   "hexatlas " + version(), HEXATLAS_COMMIT}));
-    build::write_census(build::census_path(options.output), census_of(search, table));
-  } catch (const std::exception&) {
-    say("the table " + options.output + " was written, its manifest or its census was not");
-    throw;
+/// What the tables that the search began with claim stays true.
+void take_over_bounds(const std::vector<std::string>& files, std::vector<format::TableRow>& rows) {
+  for (const std::string& file : files) {
+    if (!is_there(file)) continue;  // the search was saved since
+    std::string bytes = core::read_file(file);
+    if (build::TableSearch::is_saved(bytes)) continue;
+    const format::Table table = format::Table::from_bytes(std::move(bytes), file);
+    for (format::TableRow& row : rows) {
+      const auto ordinal = table.find(row.code);
+      if (!ordinal) continue;
+      row.lower_bound = std::max(row.lower_bound, table.entry(*ordinal).lower_bound);
+      if (row.lower_bound > row.mesh.hexahedra.size())
+        throw core::InvalidInput(
+            file, fmt::format("claims that {} has no mesh with fewer than {}; one has {}",
+                              canon::to_text(row.code),
+                              counted(row.lower_bound, "hexahedron", "hexahedra"),
+                              row.mesh.hexahedra.size()));
+    }
   }
 }
 
 }  // namespace
 
 ExitCode table_build(const TableBuildOptions& options) {
-  for (const std::string& path :
-       {options.output, format::manifest_path(options.output), build::census_path(options.output)})
-    core::expect_writable(path);
+  expect_table_writable(options.output);
   if (!options.state.empty()) core::expect_writable(options.state);
   build::TableSearch search = begin(options);
   if (!options.so_far && !proceed(search, options.state, options.save_every)) {
@@ -185,12 +179,11 @@ ExitCode table_build(const TableBuildOptions& options) {
     say("no mesh found for " + canon::to_text(without_mesh[i]) + "; it is not in the table");
   if (without_mesh.size() > kMissingShown)
     say(fmt::format("no mesh found for {} boundaries in all", without_mesh.size()));
-  std::vector<format::TableRow> rows = build::table_rows(search);
-  const std::vector<format::TableRowName> names = names_among(rows);
-  const std::string bytes = format::table_bytes(std::move(rows), names,
-                                                complete_through(options.max_quads, without_mesh));
-  const format::Table table = format::Table::from_bytes(bytes, options.output);
-  write_all(options, search, table, bytes);
+  NewTable made{build::table_rows(search), {}, complete_through(options.max_quads, without_mesh)};
+  take_over_bounds(options.start_from, made.rows);
+  made.names = names_among(made.rows);
+  const format::Table table = write_table(
+      options.output, made, {options.command, options.search.balls.seed, found_of(search)});
   print(fmt::format("{}: {} meshes, {} bytes, sha256 {}\n", options.output, table.size(),
                     table.bytes(), table.sha256()));
   return without_mesh.empty() ? ExitCode::yes : ExitCode::undecided;

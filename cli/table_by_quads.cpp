@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -16,14 +17,23 @@
 namespace hexatlas::cli {
 namespace {
 
+struct LowerBounds {
+  int least = 0;                    ///< of all
+  std::size_t proven_smallest = 0;  ///< meshes
+};
+
 struct Statistics {
   std::string read_from;
   std::map<int, sheet::Distribution> by_quads;
+  std::map<int, LowerBounds> bounds;
   std::map<int, std::map<std::string, std::size_t>> sources;  ///< from a census only
 
-  void add(int quads, int hexahedra) {
+  void add(int quads, int hexahedra, int lower_bound) {
     by_quads[quads].quads = quads;
     ++by_quads[quads].meshes[hexahedra];
+    LowerBounds& all = bounds.try_emplace(quads, LowerBounds{lower_bound, 0}).first->second;
+    all.least = std::min(all.least, lower_bound);
+    all.proven_smallest += static_cast<std::size_t>(lower_bound == hexahedra);
   }
 };
 
@@ -32,14 +42,14 @@ Statistics statistics_of(const format::Table& table) {
   if (const auto census = census_beside(table)) {
     result.read_from = build::census_path(table.path());
     for (const build::CensusRow& row : census->rows) {
-      result.add(row.quads, row.hexahedra);
+      result.add(row.quads, row.hexahedra, row.lower_bound);
       ++result.sources[row.quads][row.source];
     }
   } else {
     result.read_from = table.path();
     for (std::size_t i = 0; i < table.size(); ++i) {
       const format::TableEntry entry = table.entry(i);
-      result.add(entry.code.quads, entry.hexahedra);
+      result.add(entry.code.quads, entry.hexahedra, entry.lower_bound);
     }
   }
   for (auto& [quads, distribution] : result.by_quads)
@@ -71,6 +81,8 @@ std::string json_line(const format::Table& table, const Statistics& statistics) 
     row["median"] = d.median();
     row["greatest"] = d.meshes.rbegin()->first;
     row["total"] = d.hexahedra();
+    row["lower_bound"] = statistics.bounds.at(quads).least;
+    row["proven_smallest"] = statistics.bounds.at(quads).proven_smallest;
     row["distribution"] = nlohmann::ordered_json::object();
     for (const auto& [hexahedra, count] : d.meshes)
       row["distribution"][std::to_string(hexahedra)] = count;
@@ -98,20 +110,26 @@ std::string distribution_lines(const Statistics& statistics) {
 }
 
 std::string text_of(const format::Table& table, const Statistics& statistics) {
-  std::string text =
-      fmt::format("{}: {} meshes, read from {}\n\n{:>5} {:>8} {:>8} {:>6} {:>8} {:>7} {:>6}\n",
-                  table.path(), table.size(), statistics.read_from, "quads", "meshes", "of",
-                  "least", "mean", "median", "most");
+  std::string text = fmt::format(
+      "{}: {} meshes, read from {}\n\n{:>5} {:>8} {:>8} {:>6} {:>8} {:>7} {:>6} {:>6} "
+      "{:>7}\n",
+      table.path(), table.size(), statistics.read_from, "quads", "meshes", "of", "least", "mean",
+      "median", "most", "bound", "proven");
   for (const auto& [quads, d] : statistics.by_quads)
-    text += fmt::format("{:>5} {:>8} {:>8} {:>6} {:>8.2f} {:>7g} {:>6}\n", quads, d.entries(),
-                        d.is_complete ? std::to_string(d.entries()) : "?", d.meshes.begin()->first,
-                        mean_of(d), d.median(), d.meshes.rbegin()->first);
+    text +=
+        fmt::format("{:>5} {:>8} {:>8} {:>6} {:>8.2f} {:>7g} {:>6} {:>6} {:>7}\n", quads,
+                    d.entries(), d.is_complete ? std::to_string(d.entries()) : "?",
+                    d.meshes.begin()->first, mean_of(d), d.median(), d.meshes.rbegin()->first,
+                    statistics.bounds.at(quads).least, statistics.bounds.at(quads).proven_smallest);
   text += table.complete_through() == 0
               ? "of: how many there are; the table makes no claim\n"
               : fmt::format(
                     "of: how many there are, as the table claims through {} quads; "
                     "`hexatlas table check` judges it\n",
                     table.complete_through());
+  text +=
+      "bound: no mesh of any of them has fewer hexahedra, as the table claims; proven: meshes that "
+      "have as few as their own bound\n";
   text += distribution_lines(statistics);
   if (statistics.sources.empty()) return text;
   text += "\nsource: meshes found so\n";

@@ -143,7 +143,8 @@ class ByQuads(UnclaimedTest):
         self.assertEqual(said["read_from"], "small.hxt")
         self.assertEqual(said["by_quads"]["10"],
                          {"entries": 1, "of": None, "least": 2, "mean": 2.0, "median": 2.0,
-                          "greatest": 2, "total": 2, "distribution": {"2": 1}})
+                          "greatest": 2, "total": 2, "lower_bound": 1, "proven_smallest": 0,
+                          "distribution": {"2": 1}})
         text = self.expect(0, self.hexatlas("table", "info", "small.hxt", "--by", "quads")).out
         self.assertIn("10 quads  2:1\n", text)
         self.assertIn("makes no claim", text)

@@ -1,3 +1,6 @@
+hexatlas_test(tables_build_bounds_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/bounds_test.cpp
+  USES tables_build tables_check enum_canon enum_hexes)
 hexatlas_test(tables_build_search_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/search_test.cpp
   USES tables_build tables_check enum_canon enum_flips)

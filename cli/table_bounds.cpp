@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <vector>
+
+#include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/output.hpp"
+#include "cli/table_path.hpp"
+#include "cli/table_write.hpp"
+#include "enum/core/errors.hpp"
+#include "enum/parallel/parallel_for.hpp"
+#include "tables/build/bounds.hpp"
+#include "tables/format/manifest.hpp"
+
+namespace hexatlas::cli {
+namespace {
+
+constexpr std::size_t kRowsPerStep = 64;
+
+/// What is known of the table that the bounds are for.
+struct Given {
+  NewTable table;
+  Making making;
+};
+
+/// Where there is no census, or no manifest, what it would say is not known.
+Given given(const format::Table& table, const std::string& command) {
+  Given result{{build::rows_of(table), {}, table.complete_through()}, {command, 0, {}}};
+  for (const format::TableName& name : table.names())
+    result.table.names.push_back({name.name, table.entry(name.ordinal).code});
+  const std::string manifest = format::manifest_path(table.path());
+  if (is_there(manifest)) result.making.seed = format::read_manifest(manifest).seed;
+  for (const format::TableRow& row : result.table.rows)
+    result.making.found[row.code] = {"table", today()};
+  if (const auto census = census_beside(table))
+    for (const build::CensusRow& row : census->rows)
+      result.making.found[canon::from_text(row.code).value()] = {row.source, row.found};
+  return result;
+}
+
+struct Tally {
+  std::size_t raised = 0, replaced = 0;
+};
+
+/// The rows that are asked for.
+std::vector<format::TableRow*> chosen_from(const format::Table& table,
+                                           const TableBoundsOptions& options,
+                                           std::vector<format::TableRow>& rows) {
+  std::vector<bool> is_chosen(rows.size(), options.only.empty());
+  for (const std::string& word : options.only) {
+    auto ordinal = table.find_name(word);
+    if (const auto code = canon::from_text(word); code && !ordinal) ordinal = table.find(*code);
+    if (!ordinal) throw core::InvalidInput(word, "is no name or canonical code in the table");
+    is_chosen[*ordinal] = true;
+  }
+  std::vector<format::TableRow*> result;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (is_chosen[i] && rows[i].code.quads <= options.max_quads) result.push_back(&rows[i]);
+  return result;
+}
+
+/// The next rows. Those replaced were found by search, now.
+void take_step(std::span<format::TableRow* const> rows, const build::BoundOptions& options,
+               Making& making, Tally& tally) {
+  const std::vector<build::BoundOutcome> outcomes = build::raise_bounds(rows, options);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (outcomes[i] == build::BoundOutcome::raised) ++tally.raised;
+    if (outcomes[i] != build::BoundOutcome::replaced) continue;
+    ++tally.replaced;
+    making.found[rows[i]->code] = {"search", today()};
+  }
+}
+
+/// Whether all rows had their turn; otherwise a stop was asked for.
+bool proceed(Given& work, std::span<format::TableRow* const> rows,
+             const TableBoundsOptions& options, const build::BoundOptions& searches, Tally& tally) {
+  ProgressLine line;
+  double saved = seconds();
+  for (std::size_t done = 0; done < rows.size() && !stop_requested();) {
+    const std::size_t step = std::min(kRowsPerStep, rows.size() - done);
+    take_step(rows.subspan(done, step), searches, work.making, tally);
+    done += step;
+    line.update("boundaries", done, rows.size());
+    if (seconds() - saved < options.save_every || done == rows.size()) continue;
+    write_table(options.output, work.table, work.making);
+    saved = seconds();
+  }
+  return !stop_requested();
+}
+
+std::map<int, std::size_t> by_bound(const format::Table& table) {
+  std::map<int, std::size_t> result;
+  for (std::size_t i = 0; i < table.size(); ++i) ++result[table.entry(i).lower_bound];
+  return result;
+}
+
+std::size_t proven_smallest(const format::Table& table) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < table.size(); ++i)
+    count += static_cast<std::size_t>(table.entry(i).lower_bound == table.entry(i).hexahedra);
+  return count;
+}
+
+std::string json_line(const format::Table& table, const Tally& tally, bool is_finished) {
+  nlohmann::ordered_json json;
+  json["file"] = table.path();
+  json["sha256"] = table.sha256();
+  json["entries"] = table.size();
+  json["raised"] = tally.raised;
+  json["replaced"] = tally.replaced;
+  json["proven_smallest"] = proven_smallest(table);
+  json["by_bound"] = nlohmann::ordered_json::object();
+  for (const auto& [bound, count] : by_bound(table))
+    json["by_bound"][std::to_string(bound)] = count;
+  json["finished"] = is_finished;
+  return to_line(json);
+}
+
+std::string text_of(const format::Table& table, const Tally& tally) {
+  std::string text = fmt::format(
+      "{}: {}, sha256 {}\n{} raised; {} by a smaller mesh; {} proven to be smallest\nlower bound: "
+      "boundaries\n ",
+      table.path(), counted(table.size(), "mesh", "meshes"), table.sha256(),
+      counted(tally.raised, "lower bound", "lower bounds"),
+      counted(tally.replaced, "mesh replaced", "meshes replaced"), proven_smallest(table));
+  for (const auto& [bound, count] : by_bound(table)) text += fmt::format(" {}:{}", bound, count);
+  return text + "\n";
+}
+
+}  // namespace
+
+ExitCode table_bounds(const TableBoundsOptions& options) {
+  expect_table_writable(options.output);
+  const format::Table before = format::Table::open(table_path(options.table));
+  Given work = given(before, options.command);
+  const auto chosen = chosen_from(before, options, work.table.rows);
+  Tally tally;
+  const bool is_finished = proceed(work, chosen, options,
+                                   {.max_hexahedra = options.max_hexahedra,
+                                    .max_nodes = options.max_nodes,
+                                    .threads = parallel::threads_or_all(options.threads),
+                                    .stop = &stop_requested()},
+                                   tally);
+  const format::Table table = write_table(options.output, work.table, work.making);
+  print(options.json ? json_line(table, tally, is_finished) : text_of(table, tally));
+  if (is_finished) return ExitCode::yes;
+  say("stopped; the same command for the table " + options.output + " goes on");
+  return ExitCode::undecided;
+}
+
+}  // namespace hexatlas::cli

@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// A table on its way to a file, with what lies beside it: the manifest and the census.
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tables/build/census.hpp"
+#include "tables/format/table.hpp"
+
+namespace hexatlas::cli {
+
+/// Before long work: throws what writing one of the three files would throw.
+void expect_table_writable(const std::string& path);
+
+/// The rows of a table that is to be written. `names` and `complete_through` as for
+/// format::table_bytes().
+struct NewTable {
+  std::vector<format::TableRow> rows;
+  std::vector<format::TableRowName> names;
+  int complete_through = 0;
+};
+/// How a mesh was found, and when.
+struct Found {
+  std::string source, date;
+};
+struct Making {
+  std::string command;  ///< that makes the table
+  std::uint64_t seed = 0;
+  std::map<canon::Code, Found> found;  ///< of each row
+};
+
+/// Writes the three files. The table took the time: it stays where the others cannot be written.
+format::Table write_table(const std::string& path, const NewTable& made, const Making& making);
+
+/// The date of what is found now: that of SOURCE_DATE_EPOCH, for builds that are to be the same on
+/// any day, or today.
+[[nodiscard]] std::string today();
+
+}  // namespace hexatlas::cli

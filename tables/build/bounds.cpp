@@ -1,0 +1,69 @@
+#include "tables/build/bounds.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "enum/core/checks.hpp"
+#include "enum/hexes/hexmeshes.hpp"
+#include "enum/parallel/parallel_for.hpp"
+
+namespace hexatlas::build {
+namespace {
+
+/// The search for balls with at most so many hexahedra, as far as it came: to its end, to the first
+/// mesh that may be a ball, until it was stopped or its nodes were spent. nullopt: it is too large.
+std::optional<hexes::HexFrontier> searched(const complex::Quadrangulation& boundary, int hexahedra,
+                                           std::uint64_t nodes, const std::atomic<bool>* stop) {
+  const int interior = hexes::most_interior_vertices(boundary.quads(), hexahedra);
+  if (boundary.vertices() + interior > hexes::kMaxMeshVertices) return std::nullopt;
+  const hexes::HexmeshProblem problem(
+      boundary, {.max_hexahedra = hexahedra, .max_interior = interior, .ball = true});
+  hexes::HexFrontier frontier = problem.begin();
+  problem.go_on(frontier, {.threads = 1, .max_nodes = nodes, .stop = stop},
+                [&] { return frontier.found.empty(); });
+  return frontier;
+}
+
+}  // namespace
+
+BoundOutcome raise_bound(format::TableRow& row, const BoundOptions& options) {
+  const auto boundary = canon::decode(row.code);
+  core::expects(boundary && boundary->is_three_connected(), "a row has a 3-connected boundary");
+  const int most = std::min(options.max_hexahedra, hexes::kMaxHexahedra);
+  BoundOutcome outcome = BoundOutcome::unchanged;
+  std::uint64_t nodes = options.max_nodes;
+  while (row.lower_bound <= most && row.lower_bound < row.mesh.hexahedra.size()) {
+    auto frontier = searched(*boundary, row.lower_bound, nodes, options.stop);
+    if (frontier && !frontier->found.empty() &&
+        frontier->found.front().topology == hexes::Topology::ball) {
+      row.mesh = std::move(frontier->found.front().mesh);
+      return BoundOutcome::replaced;
+    }
+    if (!frontier || !frontier->found.empty() || !frontier->is_finished()) break;
+    nodes -= std::min(nodes, frontier->counts.nodes);
+    ++row.lower_bound;
+    outcome = BoundOutcome::raised;
+  }
+  return outcome;
+}
+
+std::vector<BoundOutcome> raise_bounds(std::span<format::TableRow* const> rows,
+                                       const BoundOptions& options) {
+  std::vector<BoundOutcome> outcomes(rows.size());
+  parallel::parallel_for(options.threads, rows.size(),
+                         [&](std::size_t i) { outcomes[i] = raise_bound(*rows[i], options); });
+  return outcomes;
+}
+
+std::vector<format::TableRow> rows_of(const format::Table& table) {
+  std::vector<format::TableRow> rows;
+  rows.reserve(table.size());
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const format::TableEntry entry = table.entry(i);
+    rows.push_back({entry.code, table.mesh(i), entry.lower_bound});
+  }
+  return rows;
+}
+
+}  // namespace hexatlas::build
