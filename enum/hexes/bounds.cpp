@@ -9,6 +9,8 @@
 #include <tuple>
 #include <utility>
 
+#include "enum/core/rank.hpp"
+
 namespace hexatlas::hexes {
 namespace {
 
@@ -27,20 +29,8 @@ int cycle_space(const PartialMesh& mesh) {
     std::sort(row.begin(), row.end());
     rows.push_back(std::move(row));
   });
-  std::map<std::size_t, std::vector<std::size_t>> with_pivot;
-  int dependent = 0;
-  for (std::vector<std::size_t>& row : rows) {
-    while (!row.empty()) {
-      const auto [place, is_new] = with_pivot.try_emplace(row.front(), row);
-      if (is_new) break;
-      std::vector<std::size_t> sum;
-      std::set_symmetric_difference(row.begin(), row.end(), place->second.begin(),
-                                    place->second.end(), std::back_inserter(sum));
-      row = std::move(sum);
-    }
-    if (row.empty()) ++dependent;
-  }
-  return dependent;
+  const std::size_t facets = rows.size();
+  return static_cast<int>(facets - core::rank_modulo_2(std::move(rows)));
 }
 
 /// The components of the open link of a vertex: the graph with an edge for each open facet at it,

@@ -1,7 +1,13 @@
 #include "enum/hexes/hexmeshes.hpp"
 
+#include <algorithm>
+#include <array>
+#include <map>
 #include <optional>
 #include <utility>
+
+#include "enum/cells/cube.hpp"
+#include "enum/core/rank.hpp"
 
 namespace hexatlas::hexes {
 namespace {
@@ -26,11 +32,29 @@ bool has_two_colours(const complex::HexComplex& mesh) {
   return true;
 }
 
+/// The first Betti number modulo 2 of a connected complex, which is 0 for balls: edges less the
+/// ranks of the boundaries of edges, vertices - 1, and of quads.
+std::size_t first_betti_number(const complex::HexComplex& mesh) {
+  std::map<std::array<complex::VertexId, 2>, std::size_t> edges;
+  std::vector<std::vector<std::size_t>> quads;  // those in two hexahedra twice
+  for (const complex::Hexahedron& cell : mesh.hexahedra)
+    for (const auto& facet : cells::kFacetVertices) {
+      std::vector<std::size_t>& quad = quads.emplace_back();
+      for (std::size_t i = 0; i < 4; ++i) {
+        const auto [from, to] = std::minmax(cell[facet[i]], cell[facet[(i + 1) % 4]]);
+        quad.push_back(edges.try_emplace({from, to}, edges.size()).first->second);
+      }
+      std::sort(quad.begin(), quad.end());
+    }
+  return edges.size() + 1 - mesh.vertices - core::rank_modulo_2(std::move(quads));
+}
+
 }  // namespace
 
 Topology topology_of(const complex::HexComplex& mesh) {
   if (complex::validate(mesh) || !has_two_colours(mesh)) return Topology::no_ball;
-  return complex::shelling_of(mesh) ? Topology::ball : Topology::undecided;
+  if (complex::shelling_of(mesh)) return Topology::ball;
+  return first_betti_number(mesh) > 0 ? Topology::no_ball : Topology::undecided;
 }
 
 HexmeshProblem::HexmeshProblem(const complex::Quadrangulation& boundary, const SearchLimits& limits)

@@ -64,7 +64,8 @@ class HexmeshProblem {
 };
 
 /// Whether a mesh whose boundary is a sphere is a ball: by the laws and a shelling, or by what no
-/// ball has.
+/// ball has, edges that do not join two colours or a first homology modulo 2. Requires a connected
+/// mesh.
 [[nodiscard]] Topology topology_of(const complex::HexComplex& mesh);
 
 }  // namespace hexatlas::hexes

@@ -12,6 +12,7 @@
 
 #include "enum/canon/code.hpp"
 #include "enum/core/errors.hpp"
+#include "enum/search/depth_first.hpp"
 #include "tables/build/hexmesh_search.hpp"
 #include "tests/enum/hexes/found_meshes.hpp"
 
@@ -161,6 +162,29 @@ TEST(Hexmeshes, OfSchneidersPyramidWithTwentyHexahedraAreNoBalls) {
   }
   EXPECT_EQ(outer, expected);
   EXPECT_EQ(hexes::topology_of(mesh), Topology::no_ball);
+}
+
+// A complex of ten hexahedra that obeys all laws of a ball near each point, but has a circle that
+// bounds nothing.
+TEST(Topology, OfAComplexWithHomologyIsNoBall) {
+  const auto boundary = boundary_of("q1:02220a48a529577dfdff");
+  const hexes::SearchLimits limits{.max_hexahedra = 10, .max_interior = 11, .ball = true};
+  hexes::HexSearch search(boundary, limits);
+  std::size_t complete = 0;
+  (void)search::explore(search, {}, {}, [&](const hexes::HexSearch& found) {
+    const complex::HexComplex mesh = hexes::complex_of(found.mesh());
+    ++complete;
+    EXPECT_FALSE(complex::validate(mesh));
+    EXPECT_FALSE(complex::shelling_of(mesh));
+    EXPECT_EQ(hexes::topology_of(mesh), Topology::no_ball);
+    return true;
+  });
+  EXPECT_GT(complete, 0U);
+  const hexes::HexmeshProblem problem(boundary, limits);
+  hexes::HexFrontier frontier = problem.begin();
+  problem.go_on(frontier, {}, {});
+  EXPECT_TRUE(frontier.is_finished());
+  EXPECT_TRUE(frontier.found.empty());
 }
 
 }  // namespace
