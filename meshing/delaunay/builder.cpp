@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 #include <numeric>
 #include <tuple>
 
 #include "enum/core/checks.hpp"
 #include "enum/parallel/parallel_for.hpp"
+#include "meshing/delaunay/division.hpp"
 #include "meshing/delaunay/parts.hpp"
 #include "meshing/delaunay/space_order.hpp"
 #include "realize/exact/orientation.hpp"
@@ -18,8 +20,9 @@ namespace {
 using exact::Point3;
 using exact::Sign;
 
-constexpr std::size_t kCellsPerPoint = 7;      // of many points in general position, a little more
-constexpr std::size_t kFewPerThread = 2000;    // fewer are not worth a pass
+constexpr std::size_t kCellsPerPoint = 7;    // of many points in general position, a little more
+constexpr std::size_t kFewPerThread = 500;   // fewer are not worth a pass
+constexpr std::size_t kWorthGiving = 16000;  // to a thread that waits: a third is at the new border
 constexpr std::size_t kKeysPerInsertion = 64;  // in the same time
 constexpr std::size_t kSpareCells = 1U << 16;  // for each thread, besides those of its points
 
@@ -153,20 +156,29 @@ void Builder<Index, kIsWeighted>::insert_here(std::span<const Index> sites) {
 }
 
 /// Of sites before `end`. Ends: a pass that inserts less than one of as many sites as there are
-/// threads is the last. With two threads the second pass cuts the same curve elsewhere, since most
-/// of a border is then inside; with more it needs another curve, which costs a look at all sites.
+/// threads is the last. With two threads further passes cut the same curve elsewhere, since most
+/// of a border is then inside; with more they need another curve, which costs a look at all sites.
 template <class Index, bool kIsWeighted>
 void Builder<Index, kIsWeighted>::insert_in_parts(std::vector<Index> pending, std::size_t end) {
   const std::size_t threads = inserters_.size();
-  const unsigned passes_per_curve = threads == 2 ? 2 : 1;
+  const unsigned passes_per_curve = threads == 2 ? 3 : 1;
+  std::vector<std::uint64_t> cuts;  // of two passes
   bool is_worth_it = true;
   for (unsigned pass = 0; is_worth_it && pending.size() >= kFewPerThread * threads; ++pass) {
-    const unsigned curve = pass / passes_per_curve;
+    const unsigned curve = pass / passes_per_curve, on_curve = pass % passes_per_curve;
     if (curve > 0 && kKeysPerInsertion * (threads - 1) * pending.size() < end) break;
-    use_curve(curve, end);
-    if (curve > 0 && pass % passes_per_curve == 0) sort_by_keys(pending);
+    if (on_curve == 0) {
+      use_curve(curve, end);
+      if (curve > 0) sort_by_keys(pending);
+    }
+    const Division<Index> division(sites_.data(), curves_.key_bits(curve_), pending);
+    if (on_curve == 0) cuts = division.cuts(threads);
     cells_.reserve(cells_.size() + kCellsPerPoint * pending.size() + kSpareCells * threads);
-    std::vector<Index> left = inserted_in_parts(pending, pass % passes_per_curve != 0);
+    auto stretches = on_curve < 2
+                         ? division.between(std::span(cuts).subspan(on_curve * threads, threads))
+                         : division.crosswise();
+    // Given away in a second pass, the sites of a border that is within now would be at one.
+    std::vector<Index> left = inserted(std::move(stretches), on_curve == 0 ? kWorthGiving : end);
     is_worth_it = left.size() <= pending.size() - pending.size() / threads;
     pending = std::move(left);
   }
@@ -197,98 +209,38 @@ void Builder<Index, kIsWeighted>::sort_by_keys(std::vector<Index>& pending) cons
   for (std::size_t i = 0; i < placed.size(); ++i) pending[i] = placed[i].point;
 }
 
-/// The curve, which is closed, is cut where the pending sites are as many in each part; if shifted,
-/// in the middle between these cuts. Each part has its sites in the order of the curve, the first
-/// of all sites being that of the first part: this is how they are reordered. Requires sites by
-/// ascending keys.
+/// The sites that were not inserted, by ascending keys again unless the stretches are crosswise.
 template <class Index, bool kIsWeighted>
-std::vector<typename Builder<Index, kIsWeighted>::Part> Builder<Index, kIsWeighted>::parts_of(
-    std::vector<Index>& pending, bool is_shifted) const {
-  const std::size_t count = inserters_.size();
-  std::vector<std::uint64_t> cuts;
-  std::vector<std::size_t> begins;
-  for (std::size_t t = 0; t < count; ++t) {
-    const std::size_t at = (2 * t + (is_shifted ? 1 : 0)) * pending.size() / (2 * count);
-    cuts.push_back(sites_[pending[at]].key);
-    const auto has_less = [&](Index s, std::uint64_t key) { return sites_[s].key < key; };
-    const auto begin = std::lower_bound(pending.begin(), pending.end(), cuts.back(), has_less);
-    begins.push_back(static_cast<std::size_t>(begin - pending.begin()));
-  }
-  const std::size_t first = begins.front();
-  std::rotate(pending.begin(), pending.begin() + static_cast<std::ptrdiff_t>(first), pending.end());
-  begins.push_back(first + pending.size());
-  const std::uint64_t last_key = (std::uint64_t{1} << curves_.key_bits(curve_)) - 1;
-  std::vector<Part> parts(count);
-  for (std::size_t t = 0; t < count; ++t) {
-    parts[t].sites = std::span(pending).subspan(begins[t] - first, begins[t + 1] - begins[t]);
-    // The last region goes on to the first cut: all keys, if there is but one.
-    const std::uint64_t length =
-        t + 1 < count ? cuts[t + 1] - cuts[t] : ((cuts[0] - cuts[t] - 1) & last_key) + 1;
-    parts[t].region = {cuts[t], length, last_key};
-  }
-  return parts;
-}
-
-/// The sites that were not inserted, by ascending keys again.
-template <class Index, bool kIsWeighted>
-std::vector<Index> Builder<Index, kIsWeighted>::inserted_in_parts(std::vector<Index>& pending,
-                                                                  bool is_shifted) {
-  std::vector<Part> parts = parts_of(pending, is_shifted);
+std::vector<Index> Builder<Index, kIsWeighted>::inserted(std::vector<Stretch<Index>> stretches,
+                                                         std::size_t worth_giving) {
+  for (auto& [region, sites, start] : stretches)
+    start = cell_within(region, sites, inserter().walk(), cells_, sites_.data());
   Index in_use = inserter().walk().start();
-  for (Part& part : parts) part.start = start_in(part.region, part.sites);
-  for (std::size_t t = 0; t < parts.size(); ++t) {
-    inserters_[t].walk().start_at(parts[t].start);
-    inserters_[t].walk().confine_to(parts[t].region);
-  }
-  parallel::parallel_for(static_cast<int>(parts.size()), parts.size(),
-                         [&](std::size_t t) { insert_part(inserters_[t], parts[t]); });
-  std::vector<Index> left;
-  for (std::size_t t = 0; t < parts.size(); ++t) {
-    inserters_[t].walk().release();
-    if (parts[t].has_changed) in_use = inserters_[t].walk().start();
-    left.insert(left.end(), parts[t].left.begin(), parts[t].left.end());
-    for (const auto& [site, twin] : parts[t].duplicates) note_duplicate(site, twin);
+  Handover<Index> handover;
+  std::deque<Worker<Index, kIsWeighted>> workers;
+  for (auto& each : inserters_)
+    workers.emplace_back(each, cells_, sites_.data(), handover, worth_giving);
+  parallel::parallel_for(static_cast<int>(workers.size()), workers.size(), [&](std::size_t t) {
+    typename Handover<Index>::Seat seat(handover);
+    workers[t].work(stretches[t], seat);
+  });
+  using Piece = typename Worker<Index, kIsWeighted>::Piece;
+  std::vector<const Piece*> pieces;
+  for (std::size_t t = 0; t < workers.size(); ++t) {
+    if (workers[t].has_inserted()) in_use = inserters_[t].walk().start();
+    for (const Piece& piece : workers[t].pieces()) pieces.push_back(&piece);
+    for (const auto& [site, twin] : workers[t].duplicates()) note_duplicate(site, twin);
   }
   inserter().walk().start_at(in_use);
+  std::sort(pieces.begin(), pieces.end(),
+            [](const Piece* a, const Piece* b) { return a->first < b->first; });
+  std::vector<Index> left;
+  for (const Piece* piece : pieces) left.insert(left.end(), piece->left.begin(), piece->left.end());
   const auto has_less = [&](Index a, Index b) {
     return std::pair(sites_[a].key, a) < std::pair(sites_[b].key, b);
   };
   std::rotate(left.begin(), std::is_sorted_until(left.begin(), left.end(), has_less), left.end());
   return left;
-}
-
-template <class Index, bool kIsWeighted>
-void Builder<Index, kIsWeighted>::insert_part(Inserter<Index, kIsWeighted>& inserter, Part& part) {
-  if (part.start == kNone) {
-    part.left.assign(part.sites.begin(), part.sites.end());
-    return;
-  }
-  for (const Index s : part.sites) {
-    const Outcome outcome = inserter.insert(s);
-    if (outcome == Outcome::inserted)
-      part.has_changed = true;
-    else if (outcome == Outcome::duplicate)
-      part.duplicates.emplace_back(s, inserter.twin());
-    else if (outcome != Outcome::hidden)
-      part.left.push_back(s);
-  }
-}
-
-/// A cell within the region, near some of its sites, or kNone. No facet of the hull: a walk begins
-/// in the tetrahedron below, of which a vertex may lie outside.
-template <class Index, bool kIsWeighted>
-Index Builder<Index, kIsWeighted>::start_in(const Region& region, std::span<const Index> sites) {
-  constexpr std::size_t kTries = 8;
-  for (std::size_t i = 0; i < kTries && !sites.empty(); ++i) {
-    Index cell = inserter().walk().located(sites_[sites[i * sites.size() / kTries]]);
-    if (const unsigned ghost = cells_[cell].ghost(); ghost < 4)
-      cell = cells_[cell].neighbors[ghost] / 4;
-    const auto& vertices = cells_[cell].vertices;
-    if (std::all_of(vertices.begin(), vertices.end(),
-                    [&](Index v) { return region.has(sites_[v]); }))
-      return cell;
-  }
-  return kNone;
 }
 
 template <class Index, bool kIsWeighted>

@@ -19,9 +19,11 @@
 #include "meshing/delaunay/common_unit.hpp"
 #include "meshing/delaunay/curves.hpp"
 #include "meshing/delaunay/inserter.hpp"
+#include "meshing/delaunay/page_allocator.hpp"
 #include "meshing/delaunay/page_buffer.hpp"
 #include "meshing/delaunay/site.hpp"
 #include "meshing/delaunay/triangulation.hpp"
+#include "meshing/delaunay/worker.hpp"
 #include "meshing/mesh/mesh.hpp"
 
 namespace hexatlas::delaunay {
@@ -62,16 +64,6 @@ class Builder {
   void for_each_around(mesh::Index point, Visit&& visit);
 
  private:
-  /// The work of one thread in a pass.
-  struct alignas(kApart) Part {
-    Region region;
-    std::span<const Index> sites;
-    Index start = kNone;      ///< a cell within the region
-    std::vector<Index> left;  ///< those not inserted
-    std::vector<std::pair<Index, Index>> duplicates;
-    bool has_changed = false;
-  };
-
   [[nodiscard]] Site mean_of_some() const noexcept;
   [[nodiscard]] bool find_first_four(std::array<Index, 4>& first);
   void insert_rounds(std::span<const std::size_t> rounds, const std::array<Index, 4>& first);
@@ -79,19 +71,18 @@ class Builder {
   void insert_in_parts(std::vector<Index> pending, std::size_t end);
   void use_curve(unsigned curve, std::size_t end);
   void sort_by_keys(std::vector<Index>& pending) const;
-  [[nodiscard]] std::vector<Part> parts_of(std::vector<Index>& pending, bool is_shifted) const;
-  [[nodiscard]] std::vector<Index> inserted_in_parts(std::vector<Index>& pending, bool is_shifted);
-  static void insert_part(Inserter<Index, kIsWeighted>& inserter, Part& part);
+  [[nodiscard]] std::vector<Index> inserted(std::vector<Stretch<Index>> stretches,
+                                            std::size_t worth_giving);
   void note_duplicate(Index site, Index twin);
   [[nodiscard]] std::vector<bool> vertices() const;
   [[nodiscard]] Index site_of(mesh::Index point);
-  [[nodiscard]] Index start_in(const Region& region, std::span<const Index> sites);
 
   Cells<Index> cells_;
   PageBuffer<Site> sites_;
-  std::vector<mesh::Index> points_;
+  std::vector<mesh::Index, PageAllocator<mesh::Index>> points_;
   std::vector<double> weights_;  ///< of sites, if they have any
-  std::vector<typename StarLinks<Index>::Claim> claims_;
+  using Claim = typename StarLinks<Index>::Claim;
+  std::vector<Claim, PageAllocator<Claim>> claims_;
   std::vector<Inserter<Index, kIsWeighted>> inserters_;
   std::vector<Index> sites_of_points_;          ///< filled when first asked for
   std::vector<std::pair<Index, Index>> twins_;  ///< if weighted: of duplicates, with a vertex once

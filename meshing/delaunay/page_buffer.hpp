@@ -18,6 +18,12 @@
 
 namespace hexatlas::delaunay {
 
+/// A wish; without it all works as well. The pages of small arrays would be cleared in vain.
+inline void ask_for_large_pages(void* pages, std::size_t bytes) noexcept {
+  constexpr std::size_t kFrom = std::size_t{1} << 24U;
+  if (bytes >= kFrom) madvise(pages, bytes, MADV_HUGEPAGE);
+}
+
 template <class T>
 class PageBuffer {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -50,14 +56,12 @@ class PageBuffer {
                                 MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)
                          : mremap(data_, bytes_for(capacity_), bytes_for(capacity), MREMAP_MAYMOVE);
     if (moved == MAP_FAILED) throw core::ResourceFailure("not enough memory for the tetrahedra");
-    // A wish; without it all works as well. The pages of small arrays would be cleared in vain.
-    if (bytes_for(capacity) >= kLargeFrom) madvise(moved, bytes_for(capacity), MADV_HUGEPAGE);
+    ask_for_large_pages(moved, bytes_for(capacity));
     data_ = static_cast<T*>(moved);
     capacity_ = capacity;
   }
 
  private:
-  static constexpr std::size_t kLargeFrom = std::size_t{1} << 24U;
   static constexpr std::size_t kPage = std::size_t{1} << 21U;
   [[nodiscard]] static std::size_t bytes_for(std::size_t count) noexcept {
     return (count * sizeof(T) + kPage - 1) / kPage * kPage;

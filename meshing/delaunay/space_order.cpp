@@ -73,6 +73,22 @@ void refine(std::span<Placed> group, std::span<const mesh::Point> points) {
   });
 }
 
+/// Each group by the thread in whose part of the list it begins.
+void refine_groups(std::span<Placed> sorted, std::span<const mesh::Point> points, int threads) {
+  for_each_part(threads, sorted.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    const auto continues = [&](std::size_t i) {
+      return i > 0 && i < sorted.size() && sorted[i].key == sorted[i - 1].key;
+    };
+    while (continues(begin)) ++begin;
+    while (continues(end)) ++end;
+    if (begin >= end) return;
+    const auto part = sorted.subspan(begin, end - begin);
+    for_each_group(std::span<const Placed>(part), [&](std::size_t from, std::size_t to) {
+      refine(part.subspan(from, to - from), points);
+    });
+  });
+}
+
 }  // namespace
 
 SpaceOrder space_order(std::span<const mesh::Point> points, std::uint64_t seed, int threads) {
@@ -94,16 +110,18 @@ SpaceOrder space_order(std::span<const mesh::Point> points, std::uint64_t seed, 
     for (std::size_t i = begin; i < end; ++i) place(i);
   });
   sort_by_key(order.points, key_bits + static_cast<unsigned>(std::bit_width(rounds - 1)), threads);
-  for_each_group(std::span<const Placed>(order.points), [&](std::size_t begin, std::size_t end) {
-    refine(std::span(order.points).subspan(begin, end - begin), points);
+  refine_groups(order.points, points, threads);
+  const auto is_before = [key_bits](const Placed& p, std::uint64_t round) {
+    return p.key >> key_bits < round;
+  };
+  for (std::uint64_t round = 0; round <= rounds; ++round)
+    order.rounds.push_back(static_cast<std::size_t>(
+        std::lower_bound(order.points.begin(), order.points.end(), round, is_before) -
+        order.points.begin()));
+  for_each_part(threads, points.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      order.points[i].key &= (std::uint64_t{1} << key_bits) - 1;
   });
-  order.rounds.assign(1, 0);
-  for (std::size_t i = 0; i < order.points.size(); ++i) {
-    const std::uint64_t round = order.points[i].key >> key_bits;
-    while (order.rounds.size() <= round) order.rounds.push_back(i);
-    order.points[i].key &= (std::uint64_t{1} << key_bits) - 1;
-  }
-  order.rounds.push_back(points.size());
   return order;
 }
 

@@ -21,8 +21,8 @@
 namespace hexatlas::delaunay {
 
 struct Placed {
-  std::uint64_t key = 0;    ///< along the curve, the same scale for all rounds
-  std::uint32_t point = 0;  ///< its number in the input
+  std::uint64_t key;    ///< along the curve, the same scale for all rounds
+  std::uint32_t point;  ///< its number in the input
 };
 
 using PlacedList = std::vector<Placed, PageAllocator<Placed>>;

@@ -37,9 +37,12 @@ class Walk {
     region_ = region;
     is_confined_ = true;
   }
-  void release() noexcept { is_confined_ = false; }
+  void release() noexcept {
+    region_ = {};
+    is_confined_ = false;
+  }
   [[nodiscard]] bool is_confined() const noexcept { return is_confined_; }
-  /// Requires is_confined().
+  /// Empty unless is_confined().
   [[nodiscard]] const Region& region() const noexcept { return region_; }
   /// A place inside of the hull, more or less: the nearer to its middle, the shorter the walks over
   /// the hull. None need end if it is not.

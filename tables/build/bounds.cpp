@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "enum/core/checks.hpp"
+#include "enum/core/errors.hpp"
 #include "enum/hexes/hexmeshes.hpp"
 #include "enum/parallel/parallel_for.hpp"
 
@@ -29,7 +29,9 @@ std::optional<hexes::HexFrontier> searched(const complex::Quadrangulation& bound
 
 BoundOutcome raise_bound(format::TableRow& row, const BoundOptions& options) {
   const auto boundary = canon::decode(row.code);
-  core::expects(boundary && boundary->is_three_connected(), "a row has a 3-connected boundary");
+  if (!boundary || !boundary->is_three_connected())
+    throw core::InvalidInput("boundary " + canon::to_text(row.code),
+                             "is not 3-connected; a table has no others");
   const int most = std::min(options.max_hexahedra, hexes::kMaxHexahedra);
   BoundOutcome outcome = BoundOutcome::unchanged;
   std::uint64_t nodes = options.max_nodes;

@@ -34,6 +34,7 @@ enum class BoundOutcome : std::uint8_t {
 /// Raises the bound of a row, one number of hexahedra after the other: each is excluded by a search
 /// of its own, so a ball that is met has as few as can be. A bound that is the number of hexahedra
 /// of the mesh says that none has fewer. Requires a bound that is true. One thread.
+/// \throws core::InvalidInput where the boundary is not 3-connected.
 /// Cost: some 3 times as much for each further hexahedron; 20 quads: 30 ms for 12 hexahedra.
 [[nodiscard]] BoundOutcome raise_bound(format::TableRow& row, const BoundOptions& options);
 

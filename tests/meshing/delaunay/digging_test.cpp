@@ -84,7 +84,8 @@ class Cavity final : private delaunay::Digging<Index>::Owner {
   }
 
  private:
-  unsigned conflicting_exactly(const Cell& cell, unsigned which, const Site&) const override {
+  [[nodiscard]] unsigned conflicting_exactly(const Cell& cell, unsigned which,
+                                             const Site&) const override {
     unsigned inside = 0;
     for (unsigned j = 0; j < 4; ++j)
       if ((which >> j & 1U) != 0 &&

@@ -49,6 +49,15 @@ TEST(ManyThreads, Lattices) {
   expect_same(with_duplicates(grid(30, 0.1), random));
 }
 
+/// Ties take longer, so one of two threads gets some of the other's work.
+TEST(ManyThreads, OneHalfIsHarder) {
+  Random random(20261276);
+  Cloud points = grid(34, 1);
+  for (const mesh::Point& p : uniform(points.size(), random, 34, 34, 34))
+    points.push_back({p.x - 40, p.y, p.z});
+  expect_same(points);
+}
+
 /// A curve that is not convex, with some noise: its tetrahedra are long.
 TEST(ManyThreads, Curve) {
   Random random(20261275);

@@ -17,8 +17,8 @@ hexatlas_test(meshing_delaunay_parts_test fast
   SOURCES delaunay/digging_test.cpp delaunay/four_facets_test.cpp delaunay/space_order_test.cpp
   USES meshing_delaunay realize_exact)
 hexatlas_test(meshing_delaunay_threads_test threads
-  SOURCES delaunay/threads_test.cpp
-  USES meshing_delaunay)
+  SOURCES delaunay/handover_test.cpp delaunay/threads_test.cpp
+  USES meshing_delaunay realize_exact)
 hexatlas_test(meshing_delaunay_many_threads_test long
   SOURCES delaunay/many_threads_test.cpp
   USES meshing_delaunay realize_exact)

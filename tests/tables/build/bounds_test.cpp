@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "enum/core/errors.hpp"
 #include "enum/hexes/hexmeshes.hpp"
 #include "tables/check/table_check.hpp"
 
@@ -89,8 +90,20 @@ TEST(Bounds, ClaimNoMoreThanWasSearched) {
   EXPECT_GT(before, 5);
 }
 
+TEST(Bounds, OfABoundaryThatNoTableShouldHave) {
+  const canon::Code with_degree_two = canon::from_text("q1:0055").value();
+  ASSERT_TRUE(canon::decode(with_degree_two));
+  for (const canon::Code& code : {canon::Code{}, with_degree_two}) {
+    format::TableRow row{code, {}, 1};
+    row.mesh.hexahedra.resize(2);
+    EXPECT_THROW((void)build::raise_bound(row, {.max_hexahedra = 3}), core::InvalidInput);
+    EXPECT_EQ(row.lower_bound, 1);
+  }
+}
+
 std::vector<format::TableRow*> pointers_to(std::vector<format::TableRow>& rows) {
   std::vector<format::TableRow*> result;
+  result.reserve(rows.size());
   for (format::TableRow& row : rows) result.push_back(&row);
   return result;
 }
