@@ -75,7 +75,8 @@ void take_step(std::span<format::TableRow* const> rows, const build::BoundOption
   }
 }
 
-/// Whether all rows had their turn; otherwise a stop was asked for.
+/// Whether all rows had their turn; otherwise a stop was asked for, and the last ones may have been
+/// cut short.
 bool proceed(Given& work, std::span<format::TableRow* const> rows,
              const TableBoundsOptions& options, const build::BoundOptions& searches, Tally& tally) {
   ProgressLine line;

@@ -12,6 +12,7 @@
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
+#include "tables/build/bounds.hpp"
 #include "tables/build/census.hpp"
 #include "tables/build/named.hpp"
 #include "tables/build/search.hpp"
@@ -151,12 +152,7 @@ void take_over_bounds(const std::vector<std::string>& files, std::vector<format:
       const auto ordinal = table.find(row.code);
       if (!ordinal) continue;
       row.lower_bound = std::max(row.lower_bound, table.entry(*ordinal).lower_bound);
-      if (row.lower_bound > row.mesh.hexahedra.size())
-        throw core::InvalidInput(
-            file, fmt::format("claims that {} has no mesh with fewer than {}; one has {}",
-                              canon::to_text(row.code),
-                              counted(row.lower_bound, "hexahedron", "hexahedra"),
-                              row.mesh.hexahedra.size()));
+      build::expect_not_refuted(file, row.code, row.lower_bound, row.mesh.hexahedra.size());
     }
   }
 }

@@ -49,7 +49,8 @@ std::optional<build::Census> census_beside(const format::Table& table) {
   if (!is_there(path)) return std::nullopt;
   build::Census census = build::read_census(path);
   if (census.about.table_sha256 != table.sha256())
-    throw core::InvalidInput(path, "is the census of another table than " + table.path());
+    throw core::InvalidInput(path, "is the census of another table than " + table.path() +
+                                       "; remove it if a run that wrote both was cut off");
   return census;
 }
 

@@ -131,8 +131,17 @@ inline void mark(Cell<Index>* cells, const Cell<Index>& cell, const Neighbors<In
         around.firsts[j] | (static_cast<Index>(inside) << (kLast - j) & Cell<Index>::kMark);
 }
 
+/// The neighbours of a cell to come.
+template <class Index>
+inline void fetch(const Cell<Index>* cells, const Lists<Index>& lists, std::size_t& next) {
+  for (const Index facet : cells[lists.doomed[next] / 4].neighbors)
+    __builtin_prefetch(&cells[facet / 4]);
+  next += static_cast<std::size_t>(next < lists.doomed_count);
+}
+
 template <class Index>
 bool dig(Digging<Index>& cavity) {
+  constexpr std::size_t kFirstSteps = 8, kBacklog = 3;
   const Site p = *cavity.site;
   const bool is_exact = cavity.is_exact, is_confined = cavity.is_confined;
   Lists<Index> lists{cavity.doomed, cavity.facets, 1, 0};
@@ -159,11 +168,12 @@ bool dig(Digging<Index>& cavity) {
     }
     append(lists, cell, inside, around.alive & ~inside);
     mark(cavity.cells, cell, around, inside);
-    // What a later step looks at, as early as may be; if there is none, cell 0.
+    // What a later step looks at, as early as may be; if there is none, cell 0. One for each step
+    // would be enough but for those steps in which the list grows.
     lists.doomed[lists.doomed_count] = 0;
-    for (const Index facet : cavity.cells[lists.doomed[fetched] / 4].neighbors)
-      __builtin_prefetch(&cavity.cells[facet / 4]);
-    fetched += static_cast<std::size_t>(fetched < lists.doomed_count);
+    fetch(cavity.cells, lists, fetched);
+    if (k < kFirstSteps || lists.doomed_count > fetched + kBacklog)
+      fetch(cavity.cells, lists, fetched);
   }
   cavity.doomed_count = lists.doomed_count;
   cavity.facet_count = lists.facet_count;

@@ -26,9 +26,8 @@ class Division {
   [[nodiscard]] std::vector<std::uint64_t> cuts(std::size_t threads) const;
   /// What lies between the cuts. Each stretch has its sites in the order of the curve.
   [[nodiscard]] std::vector<Stretch<Index>> between(std::span<const std::uint64_t> cuts) const;
-  /// For two threads: two opposite quarters of the curve each. Where its halves and quarters met so
-  /// far, in the middle, there are two quarters of one thread above each other, two of the other
-  /// below.
+  /// For two threads: two opposite quarters of the curve each. If the points are evenly spread, all
+  /// of the former borders that met in one line are now cut only in one place.
   [[nodiscard]] std::vector<Stretch<Index>> crosswise() const;
 
  private:

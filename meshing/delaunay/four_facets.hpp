@@ -72,6 +72,8 @@ struct FourFacets {
   /// lies inside the sphere through that tetrahedron, ties decided as by
   /// exact::sign_of_perturbed_in_sphere(), or strictly beyond that facet of the hull.
   ///
+  /// As dig() decides, by the same parts; for tests.
+  ///
   /// wanted: a bit for each facet that matters. short_below: 2^19 g^2, for which all coordinates
   /// are multiples of g as in (4), or a negative number. Ties are decided only if the squared
   /// distances from p are below; ties of facets of the hull never.

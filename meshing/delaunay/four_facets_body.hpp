@@ -1,6 +1,6 @@
 // Private to meshing/delaunay: what four_facets_plain.cpp and its like compile, each for its
-// processor, in an unnamed namespace. No function of the standard library: its code, made
-// for one processor, could be linked into what runs on the other.
+// processor, in an unnamed namespace. No function from elsewhere that is not inlined when
+// optimized: its code, made for one processor, could be linked into what runs on the other.
 
 #include "meshing/delaunay/four_facets.hpp"
 

@@ -7,7 +7,6 @@
 #include <mutex>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "meshing/delaunay/cells.hpp"
@@ -73,7 +72,10 @@ class Handover {
     wanted_.fetch_add(1, std::memory_order_relaxed);
     leave(lock);
     changed_.wait(lock, [&] { return working_ == 0 || !given_.empty(); });
-    if (given_.empty()) return std::nullopt;
+    if (given_.empty()) {
+      wanted_.fetch_sub(1, std::memory_order_relaxed);
+      return std::nullopt;
+    }
     ++working_;
     const Stretch<Index> stretch = given_.back();
     given_.pop_back();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "enum/core/checks.hpp"
 #include "realize/exact/in_sphere.hpp"
 #include "realize/exact/orientation.hpp"
 

@@ -48,7 +48,7 @@ class alignas(kApart) Worker {
     std::vector<Index> left;
   };
 
-  /// Fewer sites than those worth giving are not given away.
+  /// Fewer sites than those worth giving are not given away. Requires two at least.
   Worker(Inserter<Index, kIsWeighted>& inserter, const Cells<Index>& cells, const Site* sites,
          Handover<Index>& handover, std::size_t worth_giving)
       : inserter_(inserter),

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "enum/core/errors.hpp"
+#include "enum/core/words.hpp"
 #include "enum/hexes/hexmeshes.hpp"
 #include "enum/parallel/parallel_for.hpp"
 
@@ -25,7 +26,18 @@ std::optional<hexes::HexFrontier> searched(const complex::Quadrangulation& bound
   return frontier;
 }
 
+bool is_ball(const hexes::Hexmesh& found) { return found.topology == hexes::Topology::ball; }
+
 }  // namespace
+
+void expect_not_refuted(const std::string& source, const canon::Code& code, int bound,
+                        std::size_t hexahedra) {
+  if (static_cast<std::size_t>(bound) > hexahedra)
+    throw core::InvalidInput(
+        source, "claims that " + canon::to_text(code) + " has no mesh with fewer than " +
+                    core::counted(static_cast<std::size_t>(bound), "hexahedron", "hexahedra") +
+                    "; one has " + std::to_string(hexahedra));
+}
 
 BoundOutcome raise_bound(format::TableRow& row, const BoundOptions& options) {
   const auto boundary = canon::decode(row.code);
@@ -37,12 +49,14 @@ BoundOutcome raise_bound(format::TableRow& row, const BoundOptions& options) {
   std::uint64_t nodes = options.max_nodes;
   while (row.lower_bound <= most && row.lower_bound < row.mesh.hexahedra.size()) {
     auto frontier = searched(*boundary, row.lower_bound, nodes, options.stop);
-    if (frontier && !frontier->found.empty() &&
-        frontier->found.front().topology == hexes::Topology::ball) {
-      row.mesh = std::move(frontier->found.front().mesh);
+    if (!frontier) break;
+    if (const auto ball = std::find_if(frontier->found.begin(), frontier->found.end(), is_ball);
+        ball != frontier->found.end()) {
+      expect_not_refuted("the table", row.code, row.lower_bound, ball->mesh.hexahedra.size());
+      row.mesh = std::move(ball->mesh);
       return BoundOutcome::replaced;
     }
-    if (!frontier || !frontier->found.empty() || !frontier->is_finished()) break;
+    if (!frontier->found.empty() || !frontier->is_finished()) break;
     nodes -= std::min(nodes, frontier->counts.nodes);
     ++row.lower_bound;
     outcome = BoundOutcome::raised;
@@ -64,6 +78,7 @@ std::vector<format::TableRow> rows_of(const format::Table& table) {
   for (std::size_t i = 0; i < table.size(); ++i) {
     const format::TableEntry entry = table.entry(i);
     rows.push_back({entry.code, table.mesh(i), entry.lower_bound});
+    expect_not_refuted(table.path(), entry.code, entry.lower_bound, entry.hexahedra);
   }
   return rows;
 }

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tables/format/table.hpp"
@@ -34,7 +35,8 @@ enum class BoundOutcome : std::uint8_t {
 /// Raises the bound of a row, one number of hexahedra after the other: each is excluded by a search
 /// of its own, so a ball that is met has as few as can be. A bound that is the number of hexahedra
 /// of the mesh says that none has fewer. Requires a bound that is true. One thread.
-/// \throws core::InvalidInput where the boundary is not 3-connected.
+/// \throws core::InvalidInput where the boundary is not 3-connected, or the bound is seen to be
+/// false.
 /// Cost: some 3 times as much for each further hexahedron; 20 quads: 30 ms for 12 hexahedra.
 [[nodiscard]] BoundOutcome raise_bound(format::TableRow& row, const BoundOptions& options);
 
@@ -43,7 +45,13 @@ enum class BoundOutcome : std::uint8_t {
 [[nodiscard]] std::vector<BoundOutcome> raise_bounds(std::span<format::TableRow* const> rows,
                                                      const BoundOptions& options);
 
+/// \throws core::InvalidInput where a mesh of so many hexahedra refutes a bound that the source,
+/// a file or so, claims for its boundary.
+void expect_not_refuted(const std::string& source, const canon::Code& code, int bound,
+                        std::size_t hexahedra);
+
 /// The rows of a table, as they were written. Cost: that of unpacking each mesh.
+/// \throws core::InvalidInput where a mesh refutes the bound of its row.
 [[nodiscard]] std::vector<format::TableRow> rows_of(const format::Table& table);
 
 }  // namespace hexatlas::build

@@ -81,6 +81,13 @@ class Bounds(TableTest):
                       "one has 2", ran.err)
         self.assertNotIn("other.hxt", self.listing())
 
+    def test_a_bound_that_is_false_is_refused(self):
+        self.write("lie.hxt", with_bound(self.good, TWO_CUBES, 3))
+        for only in ((), ("--only", "cube")):
+            self.expect_fault(self.hexatlas("table", "bounds", "lie.hxt", "-o", "out.hxt",
+                                            "--max-hexes", "4", *only), "lie.hxt")
+        self.assertNotIn("out.hxt", self.listing())
+
     def test_a_stop_keeps_what_was_proven(self):
         self.expect(0, self.hexatlas("table", "build", "-o", "spindle.hxt", *QUICK, "--cut", "0",
                                      "--max-hexahedra", "1", "--also", "octagonal-spindle",

@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "enum/parallel/parallel_for.hpp"
 #include "meshing/delaunay/division.hpp"
 #include "meshing/delaunay/inserter.hpp"
 #include "meshing/delaunay/worker.hpp"
@@ -43,11 +44,12 @@ void wait_until_wanted(const Handover& handover) {
 
 TEST(Handover, EndsWhereNoOneWorks) {
   Handover handover;
-  EXPECT_FALSE(handover.is_wanted());
   for (int i = 0; i < 3; ++i) {  // as where one thread is all there are
     Handover::Seat seat(handover);
+    EXPECT_FALSE(handover.is_wanted());
     EXPECT_FALSE(seat.awaited());
   }
+  EXPECT_FALSE(handover.is_wanted());
 }
 
 TEST(Handover, DoesNotWaitForOneThatThrew) {
@@ -147,7 +149,9 @@ class Line {
  public:
   using Inserter = delaunay::Inserter<Index, false>;
   using Worker = delaunay::Worker<Index, false>;
-  static constexpr std::uint64_t kLastKey = (1U << 20U) - 1;
+  static constexpr std::size_t kWorkers = 4;
+  static constexpr unsigned kKeyBits = 20;
+  static constexpr std::uint64_t kLastKey = (1U << kKeyBits) - 1;
 
   Line(std::size_t count, std::size_t inserted) : claims_(count + 2) {
     Random random(20261291);
@@ -156,7 +160,7 @@ class Line {
     for (const mesh::Point& p : uniform(count, random))
       sites_.push_back({p.x, p.y, p.z, static_cast<std::uint64_t>(p.x * (kLastKey + 1))});
     cells_.reserve(10 * sites_.size());
-    for (int t = 0; t < 2; ++t)
+    for (std::size_t t = 0; t < kWorkers; ++t)
       inserters_.emplace_back(cells_, sites_.data(), claims_.data(), nullptr);
     std::array<Index, 4> first{2, 3, 4, 5};
     if (exact::sign_of_orientation(sites_[2].point(), sites_[3].point(), sites_[4].point(),
@@ -171,12 +175,19 @@ class Line {
 
   void insert(Index site) { ASSERT_EQ(inserters_[0].insert(site), delaunay::Outcome::inserted); }
   [[nodiscard]] const std::vector<Index>& pending() const { return pending_; }
-  [[nodiscard]] Worker worker(std::size_t t, Handover& handover) {
-    return {inserters_[t], cells_, sites_.data(), handover, 100};
+  [[nodiscard]] Worker worker(std::size_t t, Handover& handover, std::size_t worth_giving) {
+    return {inserters_[t], cells_, sites_.data(), handover, worth_giving};
   }
   /// All keys; the start is where the last insertion was.
   [[nodiscard]] Stretch all() {
     return {{0, kLastKey + 1, kLastKey}, pending_, inserters_[0].walk().start()};
+  }
+  /// With starts.
+  [[nodiscard]] std::vector<Stretch> between(const std::vector<std::uint64_t>& cuts) {
+    auto result = delaunay::Division<Index>(sites_.data(), kKeyBits, pending_).between(cuts);
+    for (auto& [region, sites, start] : result)
+      start = delaunay::cell_within(region, sites, inserters_[0].walk(), cells_, sites_.data());
+    return result;
   }
   [[nodiscard]] std::set<std::array<Index, 4>> tetrahedra() const {
     std::set<std::array<Index, 4>> result;
@@ -197,14 +208,22 @@ class Line {
   std::vector<Index> pending_;
 };
 
+std::set<std::array<Index, 4>> tetrahedra_of_one(std::size_t count, std::size_t inserted) {
+  Line line(count, inserted);
+  for (const Index s : line.pending()) line.insert(s);
+  return line.tetrahedra();
+}
+
 TEST(Worker, GivesHalfOfItsStretchAway) {
   constexpr std::size_t kCount = 6000, kInserted = 500;
   Line line(kCount, kInserted);
   Handover handover;
-  Line::Worker busy = line.worker(0, handover), idle = line.worker(1, handover);
+  Line::Worker busy = line.worker(0, handover, 100), idle = line.worker(1, handover, 100);
   {
-    Handover::Seat of_busy(handover), of_idle(handover);
-    const std::jthread waits([&] {
+    Handover::Seat of_idle(handover);
+    std::jthread waits;
+    Handover::Seat of_busy(handover);  // ends before the other is waited for
+    waits = std::jthread([&] {
       idle.work({{0, 0, Line::kLastKey}, {}, delaunay::kNone}, of_idle);
     });
     wait_until_wanted(handover);
@@ -219,10 +238,39 @@ TEST(Worker, GivesHalfOfItsStretchAway) {
       left.insert(left.end(), piece.left.begin(), piece.left.end());
   EXPECT_LT(left.size(), line.pending().size());
   for (const Index s : left) line.insert(s);
+  EXPECT_EQ(line.tetrahedra(), tetrahedra_of_one(kCount, kInserted));
+}
 
-  Line alone(kCount, kInserted);
-  for (const Index s : alone.pending()) alone.insert(s);
-  EXPECT_EQ(line.tetrahedra(), alone.tetrahedra());
+/// One of four workers has most of the sites, another those round the end of the curve. Gifts come
+/// from neighbours and from others; a region that was joined wrongly would be that of two threads.
+TEST(Worker, GetsWorkFromNeighboursAndOthers) {
+  constexpr std::size_t kCount = 8000, kInserted = 1000;
+  const auto expected = tetrahedra_of_one(kCount, kInserted);
+  constexpr std::uint64_t kKeys = Line::kLastKey + 1;
+  const std::vector<std::uint64_t> cuts{kKeys / 16, kKeys / 8, kKeys / 16 * 14, kKeys / 16 * 15};
+  std::size_t pieces = 0;
+  for (int run = 0; run < 5; ++run) {
+    Line line(kCount, kInserted);
+    Handover handover;
+    std::vector<Index> left;
+    {
+      const std::vector<Stretch> stretches = line.between(cuts);
+      std::deque<Line::Worker> workers;
+      for (std::size_t t = 0; t < cuts.size(); ++t) workers.push_back(line.worker(t, handover, 40));
+      parallel::parallel_for(static_cast<int>(cuts.size()), cuts.size(), [&](std::size_t t) {
+        Handover::Seat seat(handover);
+        workers[t].work(stretches[t], seat);
+      });
+      for (const Line::Worker& worker : workers)
+        for (const auto& piece : worker.pieces()) {
+          ++pieces;
+          left.insert(left.end(), piece.left.begin(), piece.left.end());
+        }
+    }
+    for (const Index s : left) line.insert(s);
+    ASSERT_EQ(line.tetrahedra(), expected);
+  }
+  EXPECT_GE(pieces, 20U);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ hexatlas_test(meshing_delaunay_parts_test fast
   USES meshing_delaunay realize_exact)
 hexatlas_test(meshing_delaunay_threads_test threads
   SOURCES delaunay/handover_test.cpp delaunay/threads_test.cpp
-  USES meshing_delaunay realize_exact)
+  USES meshing_delaunay realize_exact enum_parallel)
 hexatlas_test(meshing_delaunay_many_threads_test long
   SOURCES delaunay/many_threads_test.cpp
   USES meshing_delaunay realize_exact)

@@ -68,6 +68,15 @@ TEST(Bounds, ReplaceAMeshThatIsTooLarge) {
   }
 }
 
+TEST(Bounds, ThatAreFalseAreRefused) {
+  format::TableRow row = row_with(kTwoCubes, 6);
+  row.lower_bound = 3;
+  EXPECT_THROW((void)build::raise_bound(row, {.max_hexahedra = 3}), core::InvalidInput);
+  EXPECT_EQ(row.mesh.hexahedra.size(), 6U);
+  EXPECT_THROW(build::expect_not_refuted("x", row.code, 7, 6), core::InvalidInput);
+  EXPECT_NO_THROW(build::expect_not_refuted("x", row.code, 6, 6));
+}
+
 TEST(Bounds, ClaimNoMoreThanWasSearched) {
   constexpr const char* kSpindle = "q1:088a577f";
   // 39 hexahedra are known, too many to be listed: any mesh stands for it.
