@@ -23,6 +23,7 @@ using exact::Sign;
 constexpr std::size_t kCellsPerPoint = 7;    // of many points in general position, a little more
 constexpr std::size_t kFewPerThread = 500;   // fewer are not worth a pass
 constexpr std::size_t kWorthGiving = 16000;  // to a thread that waits: a third is at the new border
+constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
 constexpr std::size_t kKeysPerInsertion = 64;  // in the same time
 constexpr std::size_t kSpareCells = 1U << 16;  // for each thread, besides those of its points
 
@@ -177,8 +178,8 @@ void Builder<Index, kIsWeighted>::insert_in_parts(std::vector<Index> pending, st
     auto stretches = on_curve < 2
                          ? division.between(std::span(cuts).subspan(on_curve * threads, threads))
                          : division.crosswise();
-    // Given away in a second pass, the sites of a border that is within now would be at one.
-    std::vector<Index> left = inserted(std::move(stretches), on_curve == 0 ? kWorthGiving : end);
+    // Given away in a later pass, the sites of a border that is within now would be at one.
+    std::vector<Index> left = inserted(std::move(stretches), on_curve == 0 ? kWorthGiving : kNever);
     is_worth_it = left.size() <= pending.size() - pending.size() / threads;
     pending = std::move(left);
   }
@@ -214,12 +215,11 @@ template <class Index, bool kIsWeighted>
 std::vector<Index> Builder<Index, kIsWeighted>::inserted(std::vector<Stretch<Index>> stretches,
                                                          std::size_t worth_giving) {
   for (auto& [region, sites, start] : stretches)
-    start = cell_within(region, sites, inserter().walk(), cells_, sites_.data());
+    start = inserter().walk().cell_within(region, sites);
   Index in_use = inserter().walk().start();
   Handover<Index> handover;
   std::deque<Worker<Index, kIsWeighted>> workers;
-  for (auto& each : inserters_)
-    workers.emplace_back(each, cells_, sites_.data(), handover, worth_giving);
+  for (auto& each : inserters_) workers.emplace_back(each, sites_.data(), handover, worth_giving);
   parallel::parallel_for(static_cast<int>(workers.size()), workers.size(), [&](std::size_t t) {
     typename Handover<Index>::Seat seat(handover);
     workers[t].work(stretches[t], seat);

@@ -6,9 +6,12 @@
 /// in a regular one, no tetrahedron is met twice: docs/theory/delaunay-ties.md. A walk that begins
 /// at the hull first goes over the hull; why that is safe: docs/theory/parallel-delaunay.md.
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "meshing/delaunay/cells.hpp"
 #include "meshing/delaunay/four_facets.hpp"
@@ -51,6 +54,10 @@ class Walk {
   /// The tetrahedron that contains the place, or a facet of the hull that it lies strictly beyond;
   /// kNone if every way to it leaves the region; the next walk then begins where this one did.
   [[nodiscard]] Index located(const Site& place);
+  /// A cell within the region, near some of its sites, or kNone. No facet of the hull: a walk
+  /// begins in the tetrahedron below, of which a vertex may lie outside. Changes where the walk
+  /// begins.
+  [[nodiscard]] Index cell_within(const Region& region, std::span<const Index> of_region);
 
  private:
   static constexpr unsigned kMostOnHull = 1000;  ///< steps; more are a sign of a bad centre
@@ -88,6 +95,22 @@ Index Walk<Index>::located(const Site& place) {
     entered = static_cast<unsigned>(to % 4);
     if (cells_[at].vertices[entered] == kGhost) return at;
   }
+}
+
+template <class Index>
+Index Walk<Index>::cell_within(const Region& region, std::span<const Index> of_region) {
+  constexpr std::size_t kTries = 8;
+  for (std::size_t i = 0; i < kTries && !of_region.empty(); ++i) {
+    Index cell = located(sites_[of_region[i * of_region.size() / kTries]]);
+    if (cell == kNone) continue;  // the walk is confined, and does not come there
+    if (const unsigned ghost = cells_[cell].ghost(); ghost < 4)
+      cell = cells_[cell].neighbors[ghost] / 4;
+    const auto& vertices = cells_[cell].vertices;
+    if (std::all_of(vertices.begin(), vertices.end(),
+                    [&](Index v) { return v != kGhost && region.has(sites_[v]); }))
+      return cell;
+  }
+  return kNone;
 }
 
 /// From a facet of the hull over others: to one that the place lies strictly beyond, or kNone if it

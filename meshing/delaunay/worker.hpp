@@ -4,7 +4,6 @@
 /// curve as far as it can within the region; when another thread waits, it gives away the second
 /// half of what is left, region and sites: docs/theory/parallel-delaunay.md.
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -20,25 +19,6 @@
 
 namespace hexatlas::delaunay {
 
-/// A cell within the region, near some of its sites, or kNone. No facet of the hull: a walk begins
-/// in the tetrahedron below, of which a vertex may lie outside. Changes where the walk begins.
-template <class Index>
-[[nodiscard]] Index cell_within(const Region& region, std::span<const Index> of_region,
-                                Walk<Index>& walk, const Cells<Index>& cells, const Site* sites) {
-  constexpr std::size_t kTries = 8;
-  for (std::size_t i = 0; i < kTries && !of_region.empty(); ++i) {
-    Index cell = walk.located(sites[of_region[i * of_region.size() / kTries]]);
-    if (cell == kNone) continue;  // the walk is confined, and does not come there
-    if (const unsigned ghost = cells[cell].ghost(); ghost < 4)
-      cell = cells[cell].neighbors[ghost] / 4;
-    const auto& vertices = cells[cell].vertices;
-    if (std::all_of(vertices.begin(), vertices.end(),
-                    [&](Index v) { return v != kGhost && region.has(sites[v]); }))
-      return cell;
-  }
-  return kNone;
-}
-
 template <class Index, bool kIsWeighted>
 class alignas(kApart) Worker {
  public:
@@ -49,13 +29,9 @@ class alignas(kApart) Worker {
   };
 
   /// Fewer sites than those worth giving are not given away. Requires two at least.
-  Worker(Inserter<Index, kIsWeighted>& inserter, const Cells<Index>& cells, const Site* sites,
-         Handover<Index>& handover, std::size_t worth_giving)
-      : inserter_(inserter),
-        cells_(cells),
-        sites_(sites),
-        handover_(handover),
-        worth_giving_(worth_giving) {}
+  Worker(Inserter<Index, kIsWeighted>& inserter, const Site* sites, Handover<Index>& handover,
+         std::size_t worth_giving)
+      : inserter_(inserter), sites_(sites), handover_(handover), worth_giving_(worth_giving) {}
 
   /// The stretch, and then what others give. Requires a seat at its handover, and regions that are
   /// disjoint, of all workers there.
@@ -74,7 +50,6 @@ class alignas(kApart) Worker {
   [[nodiscard]] bool give_half(std::span<const Index>& rest);
 
   Inserter<Index, kIsWeighted>& inserter_;
-  const Cells<Index>& cells_;
   const Site* sites_;
   Handover<Index>& handover_;
   std::size_t worth_giving_;
@@ -133,14 +108,12 @@ bool Worker<Index, kIsWeighted>::give_half(std::span<const Index>& rest) {
   Walk<Index>& walk = inserter_.walk();
   const Index before = walk.start();
   const auto [near, far] = walk.region().cut_at(key_at(middle));
-  const auto cell_in = [&](const Region& region, std::span<const Index> sites) {
-    return cell_within(region, sites, walk, cells_, sites_);
-  };
-  const Stretch<Index> given{far, rest.subspan(middle), cell_in(far, rest.subspan(middle))};
-  const Index start = given.start == kNone ? Index{kNone} : cell_in(near, rest.first(middle));
+  const auto kept = rest.first(middle), behind = rest.subspan(middle);
+  const Stretch<Index> given{far, behind, walk.cell_within(far, behind)};
+  const Index start = given.start == kNone ? Index{kNone} : walk.cell_within(near, kept);
   walk.start_at(start == kNone ? before : start);
   if (start == kNone) return false;
-  rest = rest.first(middle);
+  rest = kept;
   walk.confine_to(near);
   handover_.give(given);
   return true;

@@ -9,8 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <utility>
 #include <vector>
 
 #include "meshing/delaunay/four_facets.hpp"
@@ -18,6 +16,7 @@
 #include "realize/exact/in_sphere.hpp"
 #include "realize/exact/orientation.hpp"
 #include "tests/meshing/delaunay/clouds.hpp"
+#include "tests/meshing/delaunay/sites.hpp"
 
 namespace {
 
@@ -111,18 +110,13 @@ class Cavity final : private delaunay::Digging<Index>::Owner {
 template <class Index>
 void dig_into(const Cloud& points) {
   using Inserter = delaunay::Inserter<Index, false>;
-  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Site> sites(2, {kNowhere, kNowhere, kNowhere, 0});
-  for (const mesh::Point& p : points) sites.push_back({p.x, p.y, p.z, 0});
+  const std::vector<Site> sites =
+      sites_of(points, [](const mesh::Point&) { return std::uint64_t{0}; });
   delaunay::Cells<Index> cells;
   cells.reserve(8 * sites.size());
   std::vector<typename Inserter::Claim> claims(sites.size());
   Inserter inserter(cells, sites.data(), claims.data(), nullptr);
-  std::array<Index, 4> first{2, 3, 4, 5};
-  if (exact::sign_of_orientation(sites[2].point(), sites[3].point(), sites[4].point(),
-                                 sites[5].point()) == Sign::negative)
-    std::swap(first[0], first[1]);
-  inserter.begin(first);
+  inserter.begin(first_four<Index>(sites));
   for (Index s = 6; s < sites.size(); ++s) {
     const Index start = inserter.walk().located(sites[s]);
     std::vector<Index> doomed;

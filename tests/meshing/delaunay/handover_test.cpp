@@ -13,7 +13,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <limits>
 #include <optional>
 #include <set>
 #include <span>
@@ -25,8 +24,8 @@
 #include "meshing/delaunay/division.hpp"
 #include "meshing/delaunay/inserter.hpp"
 #include "meshing/delaunay/worker.hpp"
-#include "realize/exact/orientation.hpp"
 #include "tests/meshing/delaunay/clouds.hpp"
+#include "tests/meshing/delaunay/sites.hpp"
 
 namespace {
 
@@ -144,7 +143,7 @@ TEST(Division, GivesEachSiteToTheOneRegionThatHasIt) {
   expect_divided(begin_again().crosswise());
 }
 
-/// Sites along a curve, which is the first axis: those from `first_pending` on are to be inserted.
+/// Sites along a curve, which is the first axis: so many are inserted, the others pending.
 class Line {
  public:
   using Inserter = delaunay::Inserter<Index, false>;
@@ -155,18 +154,13 @@ class Line {
 
   Line(std::size_t count, std::size_t inserted) : claims_(count + 2) {
     Random random(20261291);
-    constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
-    sites_.assign(2, {kNowhere, kNowhere, kNowhere, 0});
-    for (const mesh::Point& p : uniform(count, random))
-      sites_.push_back({p.x, p.y, p.z, static_cast<std::uint64_t>(p.x * (kLastKey + 1))});
+    sites_ = sites_of(uniform(count, random), [](const mesh::Point& p) {
+      return static_cast<std::uint64_t>(p.x * (kLastKey + 1));
+    });
     cells_.reserve(10 * sites_.size());
     for (std::size_t t = 0; t < kWorkers; ++t)
       inserters_.emplace_back(cells_, sites_.data(), claims_.data(), nullptr);
-    std::array<Index, 4> first{2, 3, 4, 5};
-    if (exact::sign_of_orientation(sites_[2].point(), sites_[3].point(), sites_[4].point(),
-                                   sites_[5].point()) == exact::Sign::negative)
-      std::swap(first[0], first[1]);
-    inserters_[0].begin(first);
+    inserters_[0].begin(first_four<Index>(sites_));
     for (Index s = 6; s < inserted + 2; ++s) insert(s);
     for (auto s = static_cast<Index>(inserted + 2); s < sites_.size(); ++s) pending_.push_back(s);
     const auto has_less = [&](Index a, Index b) { return sites_[a].key < sites_[b].key; };
@@ -176,7 +170,7 @@ class Line {
   void insert(Index site) { ASSERT_EQ(inserters_[0].insert(site), delaunay::Outcome::inserted); }
   [[nodiscard]] const std::vector<Index>& pending() const { return pending_; }
   [[nodiscard]] Worker worker(std::size_t t, Handover& handover, std::size_t worth_giving) {
-    return {inserters_[t], cells_, sites_.data(), handover, worth_giving};
+    return {inserters_[t], sites_.data(), handover, worth_giving};
   }
   /// All keys; the start is where the last insertion was.
   [[nodiscard]] Stretch all() {
@@ -186,7 +180,7 @@ class Line {
   [[nodiscard]] std::vector<Stretch> between(const std::vector<std::uint64_t>& cuts) {
     auto result = delaunay::Division<Index>(sites_.data(), kKeyBits, pending_).between(cuts);
     for (auto& [region, sites, start] : result)
-      start = delaunay::cell_within(region, sites, inserters_[0].walk(), cells_, sites_.data());
+      start = inserters_[0].walk().cell_within(region, sites);
     return result;
   }
   [[nodiscard]] std::set<std::array<Index, 4>> tetrahedra() const {
@@ -207,6 +201,11 @@ class Line {
   std::deque<Inserter> inserters_;
   std::vector<Index> pending_;
 };
+
+void append_left(const Line::Worker& worker, std::vector<Index>& left) {
+  for (const auto& piece : worker.pieces())
+    left.insert(left.end(), piece.left.begin(), piece.left.end());
+}
 
 std::set<std::array<Index, 4>> tetrahedra_of_one(std::size_t count, std::size_t inserted) {
   Line line(count, inserted);
@@ -233,9 +232,8 @@ TEST(Worker, GivesHalfOfItsStretchAway) {
   EXPECT_GE(busy.pieces().size() + idle.pieces().size(), 3U);
   EXPECT_TRUE(busy.has_inserted());
   std::vector<Index> left;
-  for (const auto* worker : {&busy, &idle})
-    for (const auto& piece : worker->pieces())
-      left.insert(left.end(), piece.left.begin(), piece.left.end());
+  append_left(busy, left);
+  append_left(idle, left);
   EXPECT_LT(left.size(), line.pending().size());
   for (const Index s : left) line.insert(s);
   EXPECT_EQ(line.tetrahedra(), tetrahedra_of_one(kCount, kInserted));
@@ -261,11 +259,10 @@ TEST(Worker, GetsWorkFromNeighboursAndOthers) {
         Handover::Seat seat(handover);
         workers[t].work(stretches[t], seat);
       });
-      for (const Line::Worker& worker : workers)
-        for (const auto& piece : worker.pieces()) {
-          ++pieces;
-          left.insert(left.end(), piece.left.begin(), piece.left.end());
-        }
+      for (const Line::Worker& worker : workers) {
+        pieces += worker.pieces().size();
+        append_left(worker, left);
+      }
     }
     for (const Index s : left) line.insert(s);
     ASSERT_EQ(line.tetrahedra(), expected);
