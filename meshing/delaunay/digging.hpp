@@ -18,6 +18,28 @@ struct CavityFacet {
   Index outer;  ///< the same facet in the tetrahedron that stays
 };
 
+/// Which of two filters serves a cavity. The thorough one takes a little longer in each step, and
+/// leaves fewer steps open among flat tetrahedra and along the hull. Signs do not depend on it.
+class FilterChoice {
+ public:
+  /// That which has served better lately; now and then the other one, to see how it does.
+  [[nodiscard]] bool takes_thorough() noexcept {
+    const bool pays = open_[0] > open_[1] + open_[1] / 2 + kMemory;
+    return pays != (++turn_ % kMemory == 0);
+  }
+  /// The steps that the filter left open in a cavity.
+  void note(bool was_thorough, std::size_t steps) noexcept {
+    std::size_t& open = open_[was_thorough ? 1 : 0];
+    open += steps - open / kMemory;
+  }
+
+ private:
+  static constexpr std::size_t kMemory = 32;  // cavities
+
+  std::array<std::size_t, 2> open_{};  ///< mean number for a cavity, times kMemory
+  std::size_t turn_ = 0;
+};
+
 /// From a tetrahedron in conflict with the site over facets to all others. This is the innermost
 /// loop of all, so each processor has its own: FourFacets::dig().
 template <class Index>
@@ -48,6 +70,7 @@ struct Digging {
   bool is_exact = false;       ///< the filter is of no use
   bool is_confined = false;    ///< to the region
   Region region;
+  FilterChoice choice;
 
   /// The cells of the cavity: references to the facets through which they were found, of the first
   /// one any.

@@ -139,14 +139,14 @@ inline void fetch(const Cell<Index>* cells, const Lists<Index>& lists, std::size
   next += static_cast<std::size_t>(next < lists.doomed_count);
 }
 
-template <class Index>
-bool dig(Digging<Index>& cavity) {
+template <Filter kFilter, class Index>
+bool dig_by(Digging<Index>& cavity) {
   constexpr std::size_t kFirstSteps = 8, kBacklog = 3;
   const Site p = *cavity.site;
   const bool is_exact = cavity.is_exact, is_confined = cavity.is_confined;
   Lists<Index> lists{cavity.doomed, cavity.facets, 1, 0};
   bool is_within = true;
-  std::size_t fetched = 1;
+  std::size_t fetched = 1, open_steps = 0;
   for (std::size_t k = 0; k < lists.doomed_count; ++k) {
     if (lists.doomed_count + 4 >= cavity.room) {
       cavity.owner->make_room();
@@ -157,10 +157,12 @@ bool dig(Digging<Index>& cavity) {
     const Neighbors<Index> around = neighbors_of(cell, cavity);
     const FacetSigns signs =
         is_exact ? FacetSigns{0, 15}
-                 : filtered(relative(around.corners, p), relative(around.apexes, p));
+                 : filtered<kFilter>(relative(around.corners, p), relative(around.apexes, p));
     unsigned inside = signs.positive & around.alive;
-    if ((signs.undecided & around.alive) != 0) [[unlikely]]
+    if ((signs.undecided & around.alive) != 0) [[unlikely]] {
       inside = conflicting_closely(cavity, cell);
+      ++open_steps;
+    }
     if (is_confined && !cavity.region.has_all(around.apexes) &&
         leaves_region(cavity, around.apexes, inside)) {
       is_within = false;
@@ -177,7 +179,14 @@ bool dig(Digging<Index>& cavity) {
   }
   cavity.doomed_count = lists.doomed_count;
   cavity.facet_count = lists.facet_count;
+  cavity.choice.note(kFilter == Filter::thorough, open_steps);
   return is_within;
+}
+
+template <class Index>
+bool dig(Digging<Index>& cavity) {
+  return cavity.choice.takes_thorough() ? dig_by<Filter::thorough>(cavity)
+                                        : dig_by<Filter::plain>(cavity);
 }
 
 // NOLINTEND(misc-definitions-in-headers)

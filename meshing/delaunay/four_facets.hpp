@@ -18,6 +18,9 @@
 ///     absolute values of its 24 products.
 /// (4) Let all coordinates be multiples of g, a power of two from 2^-180 to 2^180. If D < 2^19 g^2
 ///     the 4 x 4 determinant and all that decides ties is exact.
+/// (5) Let X, Y and Z be the greatest absolute values of the computed coordinates. If D < 2^100 the
+///     sign of that determinant is right if its square exceeds 2^-86 (X Y Z D)^2 + 2^-650. For
+///     tetrahedra that are flat and parallel to a plane of coordinates this is less than (2).
 /// Proof. A computed difference of coordinates is the true one times 1 + d, |d| <= u, without
 /// underflow, since a subnormal difference is exact. A squared length has in addition an error of
 /// 3.01 u relative to itself, all its terms being of one sign; with the squared factors from the
@@ -42,6 +45,10 @@
 ///     integers times g below 2^9.5, minors below 2^20 and 2^29.5, products of two 2^49.5, and the
 ///     sum of six of them below 2^52.1. Factors of heights are below 2^34. In x 2^22 + y 2^11 + z
 ///     the lesser summands differ by less than a unit of the greater ones.
+/// (5) None of the 24 products of (3) exceeds X Y Z D, so the error is below 485 u X Y Z D as in
+///     (2). If X, Y or Z is below 2^-537, the value is below 25 * 2^-537 2^50 2^50 2^100, which
+///     proves no sign. Else their squares do not underflow. If a product of them does, the bound
+///     would be below 2^-1022 2^100 2^200, and the value's square below 2^-650.
 /// A fused multiplication and addition leaves out a rounding and makes no error larger. A product
 /// that underflows errs by at most 2^-1075 more, and each of the at most 40 products that go into a
 /// determinant is multiplied by at most three further factors, of at most max(1, 2 D) in all
@@ -50,7 +57,8 @@
 /// a NaN; no comparison with it decides.
 ///
 /// The ghost vertex, at infinity, is a site that is not a number. In the 4 x 4 determinant its row
-/// is (0, 0, 0, D): as the tie rule wants it, the place does not count beside the height.
+/// is (0, 0, 0, D): as the tie rule wants it, the place does not count beside the height. Any
+/// greater height will do as well, if it counts in D.
 
 #include <cstdint>
 
@@ -72,7 +80,7 @@ struct FourFacets {
   /// lies inside the sphere through that tetrahedron, ties decided as by
   /// exact::sign_of_perturbed_in_sphere(), or strictly beyond that facet of the hull.
   ///
-  /// As dig() decides, by the same parts; for tests.
+  /// As dig() decides, by the same parts, with its plain filter; for tests.
   ///
   /// wanted: a bit for each facet that matters. short_below: 2^19 g^2, for which all coordinates
   /// are multiples of g as in (4), or a negative number. Ties are decided only if the squared
@@ -87,6 +95,9 @@ struct FourFacets {
 
   /// By (2) alone; points in general position hardly ever need more.
   FacetSigns (*conflict_quickly)(const FourSites& corners, const FourSites& apexes, const Site& p);
+  /// By (5) alone, with the ghost vertex.
+  FacetSigns (*conflict_thoroughly)(const FourSites& corners, const FourSites& apexes,
+                                    const Site& p);
   /// By (3) and (4), with the ghost vertex.
   FacetSigns (*conflict_closely)(const FourSites& corners, const FourSites& apexes, const Site& p,
                                  double short_below);

@@ -141,6 +141,15 @@ inline void raise_ghosts(Rows& rows, const LaneBits& ghosts, const Lanes& height
   rows.w = ghosts ? height : rows.w;
 }
 
+/// With the greatest squared length of all others as the height, which is returned.
+inline Lanes raise_ghosts(Rows& a, Rows& d) {
+  const LaneBits ghost_a = is_ghost(a), ghost_d = is_ghost(d);
+  const Lanes height = greatest(greater(ghost_a ? Lanes{} : a.w, ghost_d ? Lanes{} : d.w));
+  raise_ghosts(a, ghost_a, height);
+  raise_ghosts(d, ghost_d, height);
+  return height;
+}
+
 /// The factor of the height of the last of some points, in lexicographic order, that has one.
 struct LastFactor {
   Lanes factor;
@@ -174,14 +183,9 @@ inline Lanes tie(const Rows& a, const Rows& b, const Rows& c, const Rows& d, con
 FacetSigns conflict_closely(const FourSites& corners, const FourSites& apexes, const Site& p,
                             double short_below) {
   Rows a = relative(corners, p), d = relative(apexes, p);
-  const LaneBits ghost_a = is_ghost(a), ghost_d = is_ghost(d);
-  const LaneBits ghost_b = turned(ghost_a),
-                 has_ghost = ghost_a | ghost_b | turned(ghost_b) | ghost_d;
-  a.w = ghost_a ? Lanes{} : a.w;
-  d.w = ghost_d ? Lanes{} : d.w;
-  const Lanes most = greatest(greater(a.w, d.w));
-  raise_ghosts(a, ghost_a, most);
-  raise_ghosts(d, ghost_d, most);
+  const LaneBits ghost_a = is_ghost(a), ghost_b = turned(ghost_a),
+                 has_ghost = ghost_a | ghost_b | turned(ghost_b) | is_ghost(d);
+  const Lanes most = raise_ghosts(a, d);
   const Rows b = turned(a), c = turned(b);
   const Minors ab = minors(a, b), cd = minors(c, d);
   const Lanes value = determinant(ab, cd);
@@ -197,8 +201,20 @@ FacetSigns conflict_closely(const FourSites& corners, const FourSites& apexes, c
                              (most < kGreatestSquare));
 }
 
-/// Of the corners, and the apexes.
-[[gnu::always_inline]] inline FacetSigns filtered(const Rows& a, const Rows& d) {
+/// The greatest square of those in a facet and of that in d.
+inline Lanes greatest_square(const Lanes& a, const Lanes& d) {
+  const Lanes a2 = a * a, b2 = __builtin_shufflevector(a2, a2, 1, 2, 3, 0),
+              c2 = __builtin_shufflevector(a2, a2, 2, 3, 0, 1);
+  return greater(greater(a2, b2), greater(c2, d * d));
+}
+
+/// Which bound is asked, and whether the ghost vertex has a place.
+enum class Filter : std::uint8_t { plain, thorough };
+
+/// Of the corners, and the apexes: by (2), or with the ghost vertex by (5).
+template <Filter kFilter>
+[[gnu::always_inline]] inline FacetSigns filtered(Rows a, Rows d) {
+  if constexpr (kFilter == Filter::thorough) raise_ghosts(a, d);
   const Rows b = turned(a), c = turned(b);
   // Term by term, so that few registers are in use.
   const Lanes xy = (a.x * b.y - a.y * b.x) * (c.z * d.w - c.w * d.z);
@@ -209,12 +225,20 @@ FacetSigns conflict_closely(const FourSites& corners, const FourSites& apexes, c
   const Lanes zw = (a.z * b.w - a.w * b.z) * (c.x * d.y - c.y * d.x);
   const Lanes value = ((xy - xz) + (xw + yz)) + (zw - yw);
   const Lanes most = greater(greater(a.w, b.w), greater(c.w, d.w));
-  const Lanes bound = kSphereBound * ((a.w * b.w) * (c.w * d.w) * most) + kSphereUnderflow;
+  const Lanes size = kFilter == Filter::plain
+                         ? (a.w * b.w) * (c.w * d.w) * most
+                         : greatest_square(a.x, d.x) * greatest_square(a.y, d.y) *
+                               greatest_square(a.z, d.z) * (most * most);
+  const Lanes bound = kSphereBound * size + kSphereUnderflow;
   return signs_of(value, (value * value > bound) & (most < kGreatestSquare));
 }
 
 FacetSigns conflict_quickly(const FourSites& corners, const FourSites& apexes, const Site& p) {
-  return filtered(relative(corners, p), relative(apexes, p));
+  return filtered<Filter::plain>(relative(corners, p), relative(apexes, p));
+}
+
+FacetSigns conflict_thoroughly(const FourSites& corners, const FourSites& apexes, const Site& p) {
+  return filtered<Filter::thorough>(relative(corners, p), relative(apexes, p));
 }
 
 // NOLINTEND(misc-definitions-in-headers)

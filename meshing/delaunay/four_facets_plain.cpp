@@ -3,8 +3,8 @@
 namespace hexatlas::delaunay {
 
 const FourFacets& four_facets_plain() noexcept {
-  static constexpr FourFacets kFunctions{beyond, conflict_quickly, conflict_closely,
-                                         dig<std::uint32_t>, dig<std::uint64_t>};
+  static constexpr FourFacets kFunctions{beyond,           conflict_quickly,   conflict_thoroughly,
+                                         conflict_closely, dig<std::uint32_t>, dig<std::uint64_t>};
   return kFunctions;
 }
 

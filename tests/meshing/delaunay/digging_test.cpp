@@ -1,7 +1,7 @@
-// Claim. Each implementation finds the same cavity, in the same order, and its cells are those in
-// conflict with the site; it leaves no mark elsewhere, and its facets are those between a cell of
-// the cavity and one that stays.
-// Oracle. Exact signs of realize/exact, for every tetrahedron.
+// Claim. Each implementation finds the same cavity by each filter, in the same order, and its cells
+// are those in conflict with the site; it leaves no mark elsewhere, and its facets are those
+// between a cell of the cavity and one that stays. Oracle. Exact signs of realize/exact, for every
+// tetrahedron.
 #include "meshing/delaunay/digging.hpp"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,12 @@ class Cavity final : private delaunay::Digging<Index>::Owner {
     doomed_[0] = 4 * first;
     digging_.cells[first].vertices[0] |= Cell::kMark;
   }
-  void dig(const FourFacets& functions) { ASSERT_TRUE(functions.dig(digging_)); }
+  /// The choice is made by what cavities before left open.
+  void dig(const FourFacets& functions, bool by_thorough) {
+    if (by_thorough) digging_.choice.note(false, 1000);
+    ASSERT_EQ(delaunay::FilterChoice(digging_.choice).takes_thorough(), by_thorough);
+    ASSERT_TRUE(functions.dig(digging_));
+  }
   void fill_up() {
     for (const Index facet : doomed()) digging_.cells[facet / 4].vertices[0] &= ~Cell::kMark;
   }
@@ -121,9 +126,9 @@ void dig_into(const Cloud& points) {
     const Index start = inserter.walk().located(sites[s]);
     std::vector<Index> doomed;
     std::vector<std::array<Index, 4>> facets;
-    for (const FourFacets* functions : implementations()) {
+    for (unsigned i = 0; i < 2 * implementations().size(); ++i) {
       Cavity<Index> cavity(cells, sites, start, sites[s]);
-      cavity.dig(*functions);
+      cavity.dig(*implementations()[i / 2], i % 2 == 1);
       if (doomed.empty()) {
         doomed = cavity.doomed();
         facets = cavity.facets();
@@ -139,6 +144,23 @@ void dig_into(const Cloud& points) {
     ASSERT_EQ(inserter.insert(s), delaunay::Outcome::inserted);
     ASSERT_EQ(inserter.made().size(), facets.size());
   }
+}
+
+TEST(FilterChoice, TakesWhatLeavesLessOpen) {
+  // Steps that a cavity leaves open: by the plain filter, by the thorough one.
+  const auto share_of_thorough = [](std::size_t by_plain, std::size_t by_thorough) {
+    delaunay::FilterChoice choice;
+    int thorough = 0;
+    for (int i = 0; i < 3200; ++i) {
+      const bool is_thorough = choice.takes_thorough();
+      thorough += is_thorough ? 1 : 0;
+      choice.note(is_thorough, is_thorough ? by_thorough : by_plain);
+    }
+    return thorough / 3200.0;
+  };
+  EXPECT_GT(share_of_thorough(9, 0), 0.9);
+  EXPECT_LT(share_of_thorough(0, 0), 0.1);
+  EXPECT_LT(share_of_thorough(13, 13), 0.1);
 }
 
 TEST(Digging, FindsWhatIsInConflict) {

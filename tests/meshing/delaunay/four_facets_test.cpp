@@ -122,16 +122,23 @@ FacetSigns conflict(const FourFacets& functions, const Query& q, unsigned wanted
   return functions.conflict(addresses(q.corners), addresses(q.apexes), q.p, wanted, short_below(q));
 }
 
+FacetSigns conflict_thoroughly(const FourFacets& functions, const Query& q) {
+  return functions.conflict_thoroughly(addresses(q.corners), addresses(q.apexes), q.p);
+}
+
 void compare(const FourFacets& functions, const Query& q, Tally& beyond, Tally& conflicts) {
   const FacetSigns b = functions.beyond(addresses(q.corners), q.p);
-  const FacetSigns c = conflict(functions, q);
-  for (const FacetSigns& signs : {b, c}) {
+  const FacetSigns c = conflict(functions, q), thorough = conflict_thoroughly(functions, q);
+  for (const FacetSigns& signs : {b, c, thorough}) {
     ASSERT_EQ(signs.positive & signs.undecided, 0U);
     ASSERT_LT(signs.positive | signs.undecided, 16U);
   }
+  Tally of_thorough;
   for (unsigned j = 0; j < 4; ++j) {
+    const std::optional<Sign> expected = expected_conflict(q, j);
     beyond.add(b, j, expected_beyond(q, j));
-    conflicts.add(c, j, expected_conflict(q, j));
+    conflicts.add(c, j, expected);
+    of_thorough.add(thorough, j, expected);
   }
 }
 
@@ -226,6 +233,30 @@ TEST(FourFacets, DecideUnevenPoints) {
       if (HasFatalFailure()) return;
     }
     EXPECT_LT(static_cast<double>(conflict.undecided), 1e-3 * static_cast<double>(conflict.asked));
+  }
+}
+
+/// In a slab, which the product of lengths does not tell from a ball. Of any thickness.
+TEST(FourFacets, DecideFlatTetrahedra) {
+  for (const auto& [name, functions] : implementations()) {
+    Random random(20261250);
+    Tally plain, thorough;
+    for (int trial = 0; trial < 20000; ++trial) {
+      Cloud nine = uniform(9, random);
+      const auto axis = random() % 3;
+      const double thickness = std::pow(2.0, -35 - static_cast<double>(random() % 20));
+      for (mesh::Point& p : nine) *std::array{&p.x, &p.y, &p.z}[axis] *= thickness;
+      const Query q = query_of(nine);
+      const FacetSigns quick =
+          functions->conflict_quickly(addresses(q.corners), addresses(q.apexes), q.p);
+      for (unsigned j = 0; j < 4; ++j) {
+        plain.add(quick, j, expected_conflict(q, j));
+        thorough.add(conflict_thoroughly(*functions, q), j, expected_conflict(q, j));
+      }
+      if (HasFatalFailure()) return;
+    }
+    EXPECT_LT(static_cast<double>(thorough.undecided), 1e-3 * static_cast<double>(thorough.asked));
+    EXPECT_LT(10 * thorough.undecided, plain.undecided);
   }
 }
 
@@ -328,7 +359,7 @@ TEST(FourFacets, KnowTheGhostVertex) {
   const Site nowhere{kNaN, kNaN, kNaN, 0};
   for (const auto& [name, functions] : implementations()) {
     Random random(20261245);
-    Tally general, lattice, tiny;
+    Tally general, lattice, tiny, of_thorough;
     for (int trial = 0; trial < 3000; ++trial)
       for (unsigned i = 0; i < 8; ++i) {
         const auto with_ghost = [&](const Cloud& nine) {
@@ -337,8 +368,11 @@ TEST(FourFacets, KnowTheGhostVertex) {
           return q;
         };
         const auto add = [&, &chosen = *functions](const Query& q, Tally& tally) {
-          const FacetSigns signs = conflict(chosen, q);
-          for (unsigned j = 0; j < 4; ++j) tally.add(signs, j, expected_conflict(q, j));
+          const FacetSigns signs = conflict(chosen, q), thorough = conflict_thoroughly(chosen, q);
+          for (unsigned j = 0; j < 4; ++j) {
+            tally.add(signs, j, expected_conflict(q, j));
+            of_thorough.add(thorough, j, expected_conflict(q, j));
+          }
         };
         Cloud small = uniform(9, random);
         const int scale = static_cast<int>(random() % 300) - 200;
