@@ -63,6 +63,17 @@ void put_options(std::string& bytes, const BeamOptions& options) {
   put<std::uint64_t>(bytes, options.use_dominance ? 1 : 0);
 }
 
+/// What put_options() wrote, in words.
+std::string words_for_options(std::string_view bytes, const std::string& name) {
+  Source source(bytes, name);
+  const auto next = [&source] { return std::to_string(source.get<std::uint64_t>()); };
+  std::string words = "boundaries of at most " + next() + " quads";
+  words += ", " + next() + " balls per boundary and level";
+  words += ", " + next() + " per level";
+  words += ", seed " + next();
+  return words + (source.get<std::uint64_t>() != 0 ? "" : ", without dominance");
+}
+
 constexpr std::size_t kBytesPerFront = 14;
 
 StoredFront get_front(Source& source) {
@@ -135,7 +146,9 @@ Beam Beam::from_bytes(std::string_view bytes, const State& start, const BeamOpti
     throw core::InvalidInput(name, "is no saved search");
   std::string wanted;
   put_options(wanted, options);
-  if (source.take(wanted.size()) != wanted) source.refuse("has other options");
+  const std::string_view made = source.take(wanted.size());
+  if (made != wanted)
+    source.refuse("goes on only as it was made: " + words_for_options(made, name));
 
   Beam beam(start, options);
   beam.store_ = FrontStore(beam.store_.limits());

@@ -35,7 +35,7 @@ class MeshHybridTest(program.ProgramTest):
 
     def random_mesh(self):
         self.write("points.xyz", "".join("%r %r %r\n" % tuple(CHANCE.random() for _ in range(3))
-                                         for _ in range(300)))
+                                         for _ in range(100)))
         self.succeeds("mesh", "delaunay", "points.xyz", "-o", "tetrahedra.vtu")
         return "tetrahedra.vtu"
 

@@ -47,7 +47,7 @@ class Zones(MeshTest):
                       "0.50 hexahedra per quad\n", ran.out)
 
     def test_where_zones_do_not_suffice(self):
-        for surface in (surfaces.trapezohedron(31), surfaces.random_surface(300, 5)):
+        for surface in (surfaces.trapezohedron(31), surfaces.random_surface(80, 5)):
             quads = len(surface[1])
             ran = self.expect(4, self.mesh(surface, "--method", "zones", "--effort", "0"))
             self.assertEqual(ran.out, "")
@@ -68,20 +68,20 @@ class Flips(MeshTest):
         return said
 
     def test_random_surfaces(self):
-        for count in (60, 300):
+        for count in (60, 160):
             for seed in range(2):
                 with self.subTest(quads=count, seed=seed):
                     said = self.flip(surfaces.random_surface(count, seed), "out.vtk", "--method", "flips")
                     self.assertLess(said["hexahedra"], 16 * count)
 
     def test_is_what_auto_takes_where_zones_do_not_suffice(self):
-        surface = surfaces.random_surface(200, 3)
+        surface = surfaces.random_surface(50, 3)
         self.flip(surface, "auto.vtk")
         self.flip(surface, "flips.vtk", "--method", "flips")
         self.assertEqual(self.read("auto.vtk"), self.read("flips.vtk"))
 
     def test_same_bytes_for_any_number_of_threads(self):
-        surface = surfaces.random_surface(80, 1)
+        surface = surfaces.random_surface(40, 1)
         for threads in ("1", "2", "5"):
             self.flip(surface, threads + ".vtk", "--threads", threads)
         self.assertEqual(self.read("1.vtk"), self.read("2.vtk"))
@@ -92,7 +92,7 @@ class Flips(MeshTest):
             self.flip(surface, "out.mesh", "--method", "flips")
 
     def test_layers(self):
-        for surface in (surfaces.random_surface(60, 2), surfaces.grid_cube(2), surfaces.trapezohedron(20)):
+        for surface in (surfaces.random_surface(40, 2), surfaces.grid_cube(2), surfaces.trapezohedron(20)):
             for layers in (1, 2):
                 said = self.flip(surface, "out.vtk", "--method", "flips", "--layers", str(layers))
                 self.assertGreaterEqual(said["layers"], layers)
@@ -112,7 +112,7 @@ class Flips(MeshTest):
             self.assertIn("--layers", self.expect(2, self.mesh(surfaces.cube(), "--layers", layers)).err)
 
     def test_words_for_people(self):
-        for surface, filled_by in ((surfaces.random_surface(90, 0), None), (surfaces.trapezohedron(31), "sectors")):
+        for surface, filled_by in ((surfaces.random_surface(40, 0), None), (surfaces.trapezohedron(31), "sectors")):
             said = self.flip(surface, "out.vtk")
             ran = self.expect(0, self.mesh(surface, "--effort", "0"))
             words = (f"\n{said['peeled']} hexahedr{'on' if said['peeled'] == 1 else 'a'} taken off in {said['layers']} "

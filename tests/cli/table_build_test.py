@@ -45,6 +45,10 @@ class Build(program.ProgramTest):
                              [row["total"] for row in first["by_quads"].values()])
         ran = self.hexatlas("table", "build", "-o", "c.hxt", "--start-from", "a.state", "a.state")
         self.expect_fault(ran, "a.state")
+        ran = self.hexatlas("table", "build", "-o", "c.hxt", *no_search, "--seed", "9", "--start-from", "a.state")
+        self.expect_fault(ran, "a.state")
+        self.assertRegex(ran.err, r"boundaries of at most [0-9]+ quads, [0-9]+ balls per boundary and level, "
+                                  r"100 per level, seed 1\n\Z")
         self.write("d.hxt", b"neither a table nor a search")
         self.expect_fault(self.hexatlas("table", "build", "-o", "c.hxt", "--start-from", "d.hxt"),
                           "d.hxt")
