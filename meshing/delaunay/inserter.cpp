@@ -124,9 +124,9 @@ bool Inserter<Index, kIsWeighted>::is_in_ball(const Tetrahedron& cell, const Sit
                                                    weighted(sites_[c]), weighted(sites_[d]),
                                                    weighted(p)) == Sign::positive;
   else
-    return exact::sign_of_perturbed_in_sphere(sites_[a].point(), sites_[b].point(),
-                                              sites_[c].point(), sites_[d].point(),
-                                              p.point()) == Sign::positive;
+    return exact::unfiltered_sign_of_perturbed_in_sphere(sites_[a].point(), sites_[b].point(),
+                                                         sites_[c].point(), sites_[d].point(),
+                                                         p.point()) == Sign::positive;
 }
 
 /// The same for any cell that is not marked; beyond a facet of the hull is inside.

@@ -58,6 +58,11 @@ SphereSigns exact_signs(const FivePoints& points) {
                          difference(p[4], p[0])});
 }
 
+Sign perturbed_sign(const FivePoints& points) {
+  const SphereSigns exact = exact_signs(points);
+  return exact.in_sphere != Sign::zero ? exact.in_sphere : sign_of_tie(points, exact.by_height);
+}
+
 }  // namespace
 
 std::optional<Sign> filtered_sign_of_in_sphere(const Point3& a, const Point3& b, const Point3& c,
@@ -78,9 +83,12 @@ Sign sign_of_perturbed_in_sphere(const Point3& a, const Point3& b, const Point3&
                                  const Point3& e) {
   const FivePoints points{e, a, b, c, d};
   const std::optional<Sign> sign = filtered(points);
-  if (sign) return *sign;
-  const SphereSigns exact = exact_signs(points);
-  return exact.in_sphere != Sign::zero ? exact.in_sphere : sign_of_tie(points, exact.by_height);
+  return sign ? *sign : perturbed_sign(points);
+}
+
+Sign unfiltered_sign_of_perturbed_in_sphere(const Point3& a, const Point3& b, const Point3& c,
+                                            const Point3& d, const Point3& e) {
+  return perturbed_sign({e, a, b, c, d});
 }
 
 }  // namespace hexatlas::exact

@@ -41,6 +41,11 @@ namespace hexatlas::exact {
 [[nodiscard]] Sign sign_of_perturbed_in_sphere(const Point3& a, const Point3& b, const Point3& c,
                                                const Point3& d, const Point3& e);
 
+/// The same without the filter, for those who know that it cannot decide.
+[[nodiscard]] Sign unfiltered_sign_of_perturbed_in_sphere(const Point3& a, const Point3& b,
+                                                          const Point3& c, const Point3& d,
+                                                          const Point3& e);
+
 /// The filter alone: the sign, never `zero`, or nullopt where double precision cannot decide.
 /// Not promised: that it decides any particular input.
 [[nodiscard]] std::optional<Sign> filtered_sign_of_in_sphere(const Point3& a, const Point3& b,

@@ -33,8 +33,11 @@ using sign_trials::Tally;
 using sign_trials::unit;
 
 Sign in_sphere(const Tuple& p) { return exact::sign_of_in_sphere(p[0], p[1], p[2], p[3], p[4]); }
+/// With and without the filter.
 Sign perturbed(const Tuple& p) {
-  return exact::sign_of_perturbed_in_sphere(p[0], p[1], p[2], p[3], p[4]);
+  const Sign sign = exact::sign_of_perturbed_in_sphere(p[0], p[1], p[2], p[3], p[4]);
+  EXPECT_EQ(exact::unfiltered_sign_of_perturbed_in_sphere(p[0], p[1], p[2], p[3], p[4]), sign);
+  return sign;
 }
 
 void check(const Tuple& p, Tally& tally) {
