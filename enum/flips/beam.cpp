@@ -67,6 +67,7 @@ std::size_t Beam::expand_level() {
 
 void Beam::rewind() {
   level_ = 0;
+  store_.begin_sweep();
   for (const FrontId id : frontier_) store_.set_mark(id, FrontMark::waiting);
   frontier_.clear();
 }
@@ -95,56 +96,72 @@ void Beam::expand_batch(std::span<const FrontId> batch) {
   for (const Chunk& chunk : chunks) candidates_ += chunk.offers.size();
 }
 
+/// A state of this level that may be chosen.
+struct Beam::Waiting {
+  std::uint32_t turn;
+  std::uint64_t rank;
+  FrontId id;
+};
+
+/// Those of a shard, with their places in the order of preference of their class.
+std::vector<Beam::Waiting> Beam::waiting(std::size_t shard) const {
+  std::vector<Waiting> result;
+  const auto families = store_.families(shard);
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    if (!store_.may_have_current(families[f])) continue;
+    const auto& fronts = families[f].fronts;
+    const std::uint64_t price =
+        options_.scars_per_quad * families[f].code.quads * FrontStore::kScar;
+    const std::size_t first = result.size();
+    for (std::uint32_t place = 0; place < fronts.size(); ++place)
+      if (fronts[place].level == level_ && fronts[place].mark == FrontMark::waiting)
+        result.push_back(
+            {0, store_.rank(fronts[place]) + price, {FrontStore::number_of(shard, f), place}});
+    std::sort(result.begin() + static_cast<std::ptrdiff_t>(first), result.end(),
+              [](const Waiting& a, const Waiting& b) {
+                return std::tie(a.rank, a.id) < std::tie(b.rank, b.id);
+              });
+    for (std::size_t i = first; i < result.size(); ++i)
+      result[i].turn = static_cast<std::uint32_t>(i - first);
+  }
+  return result;
+}
+
 /// Chooses among the waiting states of this level: by their place in the order of preference of
 /// their class, then by the number of scars. Every class gets its turn before any gets another.
 void Beam::choose_frontier() {
-  struct Waiting {
-    std::uint32_t turn;
-    std::uint64_t rank;
-    FrontId id;
-  };
-  std::vector<Waiting> waiting;
-  for (std::size_t shard = 0; shard < FrontStore::kShards; ++shard) {
-    const auto families = store_.families(shard);
-    for (std::size_t f = 0; f < families.size(); ++f) {
-      const auto& fronts = families[f].fronts;
-      const std::uint64_t price =
-          options_.scars_per_quad * families[f].code.quads * FrontStore::kScar;
-      const std::size_t first = waiting.size();
-      for (std::uint32_t place = 0; place < fronts.size(); ++place)
-        if (fronts[place].level == level_ && fronts[place].mark == FrontMark::waiting)
-          waiting.push_back(
-              {0, store_.rank(fronts[place]) + price, {FrontStore::number_of(shard, f), place}});
-      std::sort(waiting.begin() + static_cast<std::ptrdiff_t>(first), waiting.end(),
-                [](const Waiting& a, const Waiting& b) {
-                  return std::tie(a.rank, a.id) < std::tie(b.rank, b.id);
-                });
-      for (std::size_t i = first; i < waiting.size(); ++i)
-        waiting[i].turn = static_cast<std::uint32_t>(i - first);
-    }
+  std::vector<Waiting> all;
+  {
+    std::array<std::vector<Waiting>, FrontStore::kShards> by_shard;
+    parallel::parallel_for(options_.threads, FrontStore::kShards,
+                           [&](std::size_t shard) { by_shard[shard] = waiting(shard); });
+    for (const auto& own : by_shard) all.insert(all.end(), own.begin(), own.end());
   }
-  if (!waiting.empty()) last_level_ = std::max(last_level_, level_);
-  if (waiting.size() > options_.fronts_per_level) {
+  if (!all.empty()) last_level_ = std::max(last_level_, level_);
+  if (all.size() > options_.fronts_per_level) {
     store_.set_truncated();
-    const auto keep = waiting.begin() + static_cast<std::ptrdiff_t>(options_.fronts_per_level);
-    std::nth_element(waiting.begin(), keep, waiting.end(), [](const Waiting& a, const Waiting& b) {
+    const auto keep = all.begin() + static_cast<std::ptrdiff_t>(options_.fronts_per_level);
+    std::nth_element(all.begin(), keep, all.end(), [](const Waiting& a, const Waiting& b) {
       return std::tie(a.turn, a.rank, a.id) < std::tie(b.turn, b.rank, b.id);
     });
-    waiting.erase(keep, waiting.end());
+    all.erase(keep, all.end());
   }
-  for (const Waiting& w : waiting) store_.set_mark(w.id, FrontMark::chosen);
-  waiting = {};
-  store_.end_pass();
+  for (const Waiting& w : all) store_.set_mark(w.id, FrontMark::chosen);
+  all = {};
+  parallel::parallel_for(options_.threads, FrontStore::kShards,
+                         [&](std::size_t shard) { store_.end_pass(shard); });
   collect_chosen();
 }
 
 void Beam::collect_chosen() {
   for (std::size_t shard = 0; shard < FrontStore::kShards; ++shard) {
     const auto families = store_.families(shard);
-    for (std::size_t f = 0; f < families.size(); ++f)
+    for (std::size_t f = 0; f < families.size(); ++f) {
+      if (!store_.may_have_current(families[f])) continue;
       for (std::uint32_t place = 0; place < families[f].fronts.size(); ++place)
         if (families[f].fronts[place].mark == FrontMark::chosen)
           frontier_.push_back({FrontStore::number_of(shard, f), place});
+    }
   }
 }
 

@@ -111,8 +111,10 @@ class Beam {
 
  private:
   struct Chunk;
+  struct Waiting;
 
   void expand_batch(std::span<const FrontId> batch);
+  [[nodiscard]] std::vector<Waiting> waiting(std::size_t shard) const;
   void choose_frontier();
   void collect_chosen();
   void restore_level(std::span<const FrontId> ids, const std::string& name);

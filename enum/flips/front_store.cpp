@@ -44,6 +44,7 @@ void FrontStore::append_family(const canon::Code& code, std::vector<StoredFront>
   core::expects(shard.families.size() == before + 1, "a family is restored once");
   shard.fronts += fronts.size();
   own.fronts = std::move(fronts);
+  own.has_added = true;
   for (const StoredFront& front : own.fronts)
     own.level_floor = std::min(own.level_floor, front.level);
 }
@@ -120,19 +121,19 @@ void FrontStore::offer(std::size_t number, const Offer& offer) {
   ++shard.fronts;
 }
 
-void FrontStore::end_pass() {
-  for (Shard& shard : shards_)
-    for (Family& own : shard.families) {
-      if (own.pass != pass_) continue;
-      const std::ptrdiff_t first = std::max<std::ptrdiff_t>(1, own.fresh_begin);
-      if (first >= std::ssize(own.fronts)) continue;
-      const auto kept =
-          std::remove_if(own.fronts.begin() + first, own.fronts.end(),
-                         [](const StoredFront& f) { return f.mark == FrontMark::waiting; });
-      shard.fronts -= static_cast<std::size_t>(own.fronts.end() - kept);
-      own.fronts.erase(kept, own.fronts.end());
-      own.fronts.shrink_to_fit();
-    }
+void FrontStore::end_pass(std::size_t number) {
+  Shard& shard = shards_[number];
+  for (Family& own : shard.families) {
+    if (own.pass != pass_) continue;
+    const std::ptrdiff_t first = std::max<std::ptrdiff_t>(1, own.fresh_begin);
+    if (first >= std::ssize(own.fronts)) continue;
+    const auto kept =
+        std::remove_if(own.fronts.begin() + first, own.fronts.end(),
+                       [](const StoredFront& f) { return f.mark == FrontMark::waiting; });
+    shard.fronts -= static_cast<std::size_t>(own.fronts.end() - kept);
+    own.fronts.erase(kept, own.fronts.end());
+    own.fronts.shrink_to_fit();
+  }
 }
 
 FrontId FrontStore::add(const Offer& offer, FrontOrigin origin) {
@@ -145,6 +146,7 @@ FrontId FrontStore::add(const Offer& offer, FrontOrigin origin) {
         own.fronts[place].scars.is_subset_of(offer.state.scars))
       return {family, static_cast<std::uint32_t>(place)};
   own.level_floor = std::min(own.level_floor, offer.level);
+  own.has_added = true;
   own.fronts.push_back({.scars = offer.state.scars,
                         .parent = offer.parent,
                         .flip = offer.flip,

@@ -79,6 +79,7 @@ class FrontStore {
     std::uint32_t pass = 0;             ///< the last pass in which fronts came
     std::uint32_t fresh_begin = 0;      ///< first place of that pass
     std::uint16_t level_floor = 65535;  ///< no front has a lower level
+    bool has_added = false;             ///< some came outside of any pass
   };
 
   explicit FrontStore(const Limits& limits) : limits_(limits), shards_(kShards) {}
@@ -91,8 +92,15 @@ class FrontStore {
   /// Admits, refuses, or admits at the cost of fresh fronts that are dominated or, beyond the
   /// limits, of the worst fresh one: most scars first. Requires number == shard_of(code).
   void offer(std::size_t number, const Offer& offer);
-  /// Removes the fresh fronts that are not chosen, but never the first of a family.
-  void end_pass();
+  /// Removes the fresh fronts of a shard that are not chosen, but never the first of a family.
+  void end_pass(std::size_t number);
+  /// Fronts that earlier passes left waiting may be chosen again.
+  void begin_sweep() noexcept { is_first_sweep_ = false; }
+  /// Whether the family may have fronts of this pass's level, waiting or chosen. In the first sweep
+  /// only those families do that got some in this pass, or outside of any pass.
+  [[nodiscard]] bool may_have_current(const Family& own) const noexcept {
+    return !is_first_sweep_ || own.pass == pass_ || own.has_added;
+  }
 
   /// Adds a front outside of any pass, whatever the limits, unless one of its family, of the same
   /// or a lower level, has a subset of its scars. Returns the new one or that one.
@@ -152,6 +160,7 @@ class FrontStore {
   std::vector<Shard> shards_;
   std::uint32_t pass_ = 0;
   bool truncated_ = false;
+  bool is_first_sweep_ = true;
 };
 
 }  // namespace hexatlas::flips
