@@ -17,6 +17,13 @@ if [[ "${1:-}" == --search ]]; then
   "$program" table build -o hexatlas-wider.hxt --start-from wide.state --width 900000 --per-class 200 \
     --max-hexahedra 50 --rounds 1 --cut 60 --cuts-each 6 --cut-growths 600 --cut-interior 6 --cut-uphill 6 \
     --growths 8 --collared 1 --collar-hexahedra 32 --collar-widest 30 --collar-width 100000 --collar-narrow 3
+  wide=(--width 900000 --per-class 200 --seed 20261124 --rounds 1 --cut 0 --collar-widest 30 --collar-narrow 3)
+  "$program" table build -o hexatlas-third.hxt --state third.state --start-from hexatlas-wider.hxt "${wide[@]}" \
+    --max-hexahedra 50 --growths 4 --collared 9 --collar-hexahedra 32 --collar-width 100000
+  "$program" table build -o hexatlas-deep.hxt --state deep.state --start-from third.state "${wide[@]}" \
+    --max-hexahedra 1 --growths 0 --collared 8 --collar-hexahedra 36 --collar-width 300000
+  "$program" table build -o hexatlas-last.hxt --start-from deep.state hexatlas-third.hxt "${wide[@]}" \
+    --max-hexahedra 1 --growths 12 --collared 0
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
