@@ -44,6 +44,7 @@ for quads, row in json.load(sys.stdin)["by_quads"].items():
 } >queries.tsv
 python3 -B kills.py "$program" "$folder" >kills.tsv
 python3 -B corruptions.py "$program" ../../tables/data/hexatlas.hxt "$folder" >corruptions.tsv
+python3 -B removals.py "$program" ../../tables/data/hexatlas.hxt "$folder" "${REMOVALS:-8}" >removals.tsv
 {
   git -C ../.. describe --always --dirty --abbrev=12
   "$program" --version

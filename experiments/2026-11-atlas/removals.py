@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""Leaves records out of the shipped table, one at a time, and has the rest judged, which still claims to be complete.
+
+The table is written anew with right digests (docs/formats/table.md), so that only the count can tell. Prints what was
+accepted. Needs libzstd.so.1.
+
+usage: removals.py PROGRAM TABLE FOLDER NUMBER
+"""
+import ctypes
+import hashlib
+import os
+import random
+import struct
+import subprocess
+import sys
+
+ZSTD = ctypes.CDLL("libzstd.so.1")
+ZSTD.ZSTD_compressBound.restype = ZSTD.ZSTD_compress.restype = ZSTD.ZSTD_decompress.restype = ctypes.c_size_t
+ZSTD.ZSTD_compressBound.argtypes = [ctypes.c_size_t]
+
+
+def unpacked(data, size):
+    room = ctypes.create_string_buffer(size)
+    done = ZSTD.ZSTD_decompress(room, ctypes.c_size_t(size), data, ctypes.c_size_t(len(data)))
+    assert done == size, done
+    return room.raw
+
+
+def packed(data):
+    size = ZSTD.ZSTD_compressBound(len(data))
+    room = ctypes.create_string_buffer(size)
+    done = ZSTD.ZSTD_compress(room, ctypes.c_size_t(size), data, ctypes.c_size_t(len(data)), 1)
+    return room.raw[:done]
+
+
+def read(data):
+    """Per section its quads and its rows of the index; the payloads of all entries; the names."""
+    entries, sections, blocks, names, per_block = struct.unpack_from("<QIIII", data, 24)
+    _, directory, at = struct.unpack_from("<QQQ", data, 48)
+    rows, payloads, named = [], [], []
+    for s in range(sections):
+        quads, key, _, count, first = struct.unpack_from("<IIQQQ", data, 128 + 32 * s)
+        size = key + 8
+        rows.append((quads, [data[first + size * i:first + size * (i + 1)] for i in range(count)]))
+    for b in range(blocks):
+        place, stored, size = struct.unpack_from("<QII", data, directory + 16 * b)
+        block = unpacked(data[place:place + stored], size)
+        count = min(per_block, entries - per_block * b)
+        sizes, start = struct.unpack_from(f"<{count}I", block), 4 * count
+        for size in sizes:
+            payloads.append(block[start:start + size])
+            start += size
+    for _ in range(names):
+        ordinal, size = struct.unpack_from("<IB", data, at)
+        named.append((ordinal, data[at + 5:at + 5 + size]))
+        at += 5 + size
+    return rows, payloads, named
+
+
+def without(data, rows, payloads, names, gone):
+    """The table without an entry, given by its ordinal."""
+    per_block, = struct.unpack_from("<I", data, 44)
+    left, sections, first = [], [], 0
+    for quads, own in rows:
+        kept = own[:gone - first] + own[gone - first + 1:] if 0 <= gone - first < len(own) else own
+        first += len(own)
+        left += [(quads, kept)] if kept else []
+    payloads = payloads[:gone] + payloads[gone + 1:]
+    named = [(ordinal - (ordinal > gone), name) for ordinal, name in names if ordinal != gone]
+    index_at, ordinal = 128 + 32 * len(left), 0
+    index = b""
+    for quads, own in left:
+        sections.append(struct.pack("<IIQQQ", quads, len(own[0]) - 8, ordinal, len(own), index_at + len(index)))
+        ordinal += len(own)
+        index += b"".join(own)
+    blocks = []
+    for start in range(0, len(payloads), per_block):
+        some = payloads[start:start + per_block]
+        plain = struct.pack(f"<{len(some)}I", *map(len, some)) + b"".join(some)
+        blocks.append((packed(plain), len(plain)))
+    directory_at = index_at + len(index)
+    at = directory_at + 16 * len(blocks)
+    directory = b""
+    for block, size in blocks:
+        directory += struct.pack("<QII", at, len(block), size)
+        at += len(block)
+    tail = b"".join(struct.pack("<IB", ordinal, len(name)) + name for ordinal, name in named)
+    header = data[:16] + struct.pack("<QQIIIIQQQ", at + len(tail), len(payloads), len(left), len(blocks), len(named),
+                                     per_block, index_at, directory_at, at) + data[72:96] + bytes(32)
+    whole = bytearray(header + b"".join(sections) + index + directory + b"".join(b for b, _ in blocks) + tail)
+    whole[96:128] = hashlib.sha256(whole).digest()
+    return whole
+
+
+def main():
+    program, folder, number = os.path.abspath(sys.argv[1]), sys.argv[3], int(sys.argv[4])
+    with open(sys.argv[2], "rb") as file:
+        data = file.read()
+    rows, payloads, names = read(data)
+    path = os.path.join(folder, "less.hxt")
+
+    def judged(gone):
+        with open(path, "wb") as file:
+            file.write(without(data, rows, payloads, names, gone))
+        return subprocess.run([program, "table", "check", path], check=False, capture_output=True, text=True)
+
+    # The writer of this script is right: with nothing left out, the judge accepts.
+    whole = judged(len(payloads))
+    assert whole.returncode == 0, whole
+    draw = random.Random(1)
+    last = len(payloads) - 1
+    gone = [0, 1, last - 1, last] + draw.sample(range(2, last - 1), number - 4)
+    refused, by_the_sum = 0, 0
+    for ordinal in gone:
+        ran = judged(ordinal)
+        refused += ran.returncode == 1
+        by_the_sum += "the rooted sum is" in ran.stdout + ran.stderr
+    print("records left out, one at a time", number, sep="\t")
+    print("refused", refused, sep="\t")
+    print("refused since the rooted sum is short", by_the_sum, sep="\t")
+    sys.exit(0 if refused == by_the_sum == number else 1)
+
+
+main()
