@@ -135,7 +135,13 @@ void Beam::choose_frontier() {
     std::array<std::vector<Waiting>, FrontStore::kShards> by_shard;
     parallel::parallel_for(options_.threads, FrontStore::kShards,
                            [&](std::size_t shard) { by_shard[shard] = waiting(shard); });
-    for (const auto& own : by_shard) all.insert(all.end(), own.begin(), own.end());
+    std::size_t count = 0;
+    for (const auto& own : by_shard) count += own.size();
+    all.reserve(count);
+    for (auto& own : by_shard) {
+      all.insert(all.end(), own.begin(), own.end());
+      own = {};
+    }
   }
   if (!all.empty()) last_level_ = std::max(last_level_, level_);
   if (all.size() > options_.fronts_per_level) {

@@ -46,9 +46,10 @@
 ///     sum of six of them below 2^52.1. Factors of heights are below 2^34. In x 2^22 + y 2^11 + z
 ///     the lesser summands differ by less than a unit of the greater ones.
 /// (5) None of the 24 products of (3) exceeds X Y Z D, so the error is below 485 u X Y Z D as in
-///     (2). If X, Y or Z is below 2^-537, the value is below 25 * 2^-537 2^50 2^50 2^100, which
-///     proves no sign. Else their squares do not underflow. If a product of them does, the bound
-///     would be below 2^-1022 2^100 2^200, and the value's square below 2^-650.
+///     (2). If X, Y or Z is below 2^-531, the value is below 25 * 2^-531 2^50.1 2^50.1 2^100 <
+///     2^-326, which proves no sign. Else its square errs by 2^-12 of itself at most, by underflow.
+///     If D^2 or a product of squares underflows, (X Y Z D)^2 is below 2^-1020 2^300, and the
+///     value's square below 2^-650.
 /// A fused multiplication and addition leaves out a rounding and makes no error larger. A product
 /// that underflows errs by at most 2^-1075 more, and each of the at most 40 products that go into a
 /// determinant is multiplied by at most three further factors, of at most max(1, 2 D) in all

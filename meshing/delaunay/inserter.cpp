@@ -13,6 +13,14 @@ using exact::Sign;
 
 constexpr std::size_t kAtOnce = 4096;  // cells taken from the common store
 
+/// Whether the filter for four facets is not at the end of its range (four_facets.hpp), where that
+/// of realize/exact may still decide. Counts for time only.
+bool is_of_moderate_size(const Site& a, const Site& p) {
+  const double x = a.x - p.x, y = a.y - p.y, z = a.z - p.z;
+  const double square = x * x + y * y + z * z;
+  return square > 0x1p-100 && square < 0x1p98;
+}
+
 }  // namespace
 
 template <class Index, bool kIsWeighted>
@@ -75,7 +83,7 @@ Outcome Inserter<Index, kIsWeighted>::insert(Index site) {
   twin_ = vertex_at(cells_[start], p);
   if constexpr (kIsWeighted) {
     if (twin_ != kNone && weights_[twin_] == weights_[site]) return Outcome::duplicate;
-    if (!is_outside && !conflicts(cells_[start], p)) return Outcome::hidden;
+    if (!is_outside && !conflicts(cells_[start], p, Filtered::no)) return Outcome::hidden;
   } else {
     if (twin_ != kNone) return Outcome::duplicate;
   }
@@ -117,23 +125,28 @@ exact::WeightedPoint3 Inserter<Index, kIsWeighted>::weighted(const Site& site) c
 /// Whether the site lies in the open ball of the tetrahedron, ties decided. Requires that the ghost
 /// vertex is none of its vertices.
 template <class Index, bool kIsWeighted>
-bool Inserter<Index, kIsWeighted>::is_in_ball(const Tetrahedron& cell, const Site& p) const {
+bool Inserter<Index, kIsWeighted>::is_in_ball(const Tetrahedron& cell, const Site& p,
+                                              Filtered filtered) const {
   const auto& [a, b, c, d] = cell.vertices;
-  if constexpr (kIsWeighted)
+  if constexpr (kIsWeighted) {
     return exact::sign_of_perturbed_in_orthosphere(weighted(sites_[a]), weighted(sites_[b]),
                                                    weighted(sites_[c]), weighted(sites_[d]),
                                                    weighted(p)) == Sign::positive;
-  else
-    return exact::unfiltered_sign_of_perturbed_in_sphere(sites_[a].point(), sites_[b].point(),
-                                                         sites_[c].point(), sites_[d].point(),
-                                                         p.point()) == Sign::positive;
+  } else {
+    const bool is_hopeless = filtered == Filtered::in_vain && is_of_moderate_size(sites_[a], p);
+    const auto sign = is_hopeless ? exact::unfiltered_sign_of_perturbed_in_sphere
+                                  : exact::sign_of_perturbed_in_sphere;
+    return sign(sites_[a].point(), sites_[b].point(), sites_[c].point(), sites_[d].point(),
+                p.point()) == Sign::positive;
+  }
 }
 
 /// The same for any cell that is not marked; beyond a facet of the hull is inside.
 template <class Index, bool kIsWeighted>
-bool Inserter<Index, kIsWeighted>::conflicts(const Tetrahedron& cell, const Site& p) const {
+bool Inserter<Index, kIsWeighted>::conflicts(const Tetrahedron& cell, const Site& p,
+                                             Filtered filtered) const {
   const unsigned ghost = cell.ghost();
-  if (ghost == 4) return is_in_ball(cell, p);
+  if (ghost == 4) return is_in_ball(cell, p, filtered);
   std::array<exact::Point3, 4> points{};
   for (unsigned i = 0; i < 4; ++i) points[i] = (i == ghost ? p : sites_[cell.vertices[i]]).point();
   const Sign side = exact::sign_of_orientation(points[0], points[1], points[2], points[3]);
@@ -141,7 +154,7 @@ bool Inserter<Index, kIsWeighted>::conflicts(const Tetrahedron& cell, const Site
   // In the plane of the hull's facet the ball of any tetrahedron below is the same disc. That
   // tetrahedron may be doomed already: then so is this one.
   const Tetrahedron& below = cells_[cell.neighbors[ghost] / 4];
-  return below.is_marked() || conflicts(below, p);
+  return below.is_marked() || conflicts(below, p, Filtered::no);
 }
 
 template <class Index, bool kIsWeighted>
@@ -150,7 +163,8 @@ unsigned Inserter<Index, kIsWeighted>::conflicting_exactly(const Tetrahedron& ce
   unsigned inside = 0;
   for (unsigned rest = which; rest != 0; rest &= rest - 1) {
     const auto j = static_cast<unsigned>(std::countr_zero(rest));
-    if (conflicts(cells_[cell.neighbors[opposite_of(j)] / 4], p)) inside |= 1U << j;
+    if (conflicts(cells_[cell.neighbors[opposite_of(j)] / 4], p, Filtered::in_vain))
+      inside |= 1U << j;
   }
   return inside;
 }

@@ -93,8 +93,10 @@ class alignas(kApart) Inserter final : private Digging<Index>::Owner {
   void fill(Index site);
   [[nodiscard]] bool number_vertices();
   [[nodiscard]] Index first_on_hull() const noexcept;
-  [[nodiscard]] bool conflicts(const Tetrahedron& cell, const Site& p) const;
-  [[nodiscard]] bool is_in_ball(const Tetrahedron& cell, const Site& p) const;
+  /// Whether the filter for four facets was asked before.
+  enum class Filtered : std::uint8_t { no, in_vain };
+  [[nodiscard]] bool conflicts(const Tetrahedron& cell, const Site& p, Filtered filtered) const;
+  [[nodiscard]] bool is_in_ball(const Tetrahedron& cell, const Site& p, Filtered filtered) const;
   [[nodiscard]] exact::WeightedPoint3 weighted(const Site& site) const noexcept;
 
   Cells<Index>& cells_;
