@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <tuple>
 #include <vector>
 
 #include "cli/command_line_parts.hpp"
@@ -275,7 +276,8 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
   effort("--widest", search.balls.max_quads, 6, flips::kMaxSearchQuads,
          "Quads of the boundaries on the way, at most");
   effort("--max-hexahedra", search.max_hexahedra, 1, 200, "Hexahedra of the balls grown, at most");
-  effort("--rounds", search.rounds, 1, 1000, "Rounds of sweep, exchange, cuts and collars");
+  effort("--rounds", search.rounds, 1, 1000,
+         "Rounds of sweep, exchange, cuts, symmetric collars and collars");
   effort("--growths", search.growths, 0, 1'000'000, "Exchanges tried per boundary and round");
   effort("--cut", search.cut, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round that are cut in two, those with the largest meshes");
@@ -286,16 +288,28 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
          "Vertices inside the disc of a cut, at most; each one takes several times as long");
   effort("--cut-uphill", search.cut_uphill, 0U, 20U,
          "Hexahedra that exchange may add for a while to the meshes from cuts");
+  effort(
+      "--symmetric", search.symmetrized, std::size_t{0}, std::size_t{1'000'000},
+      "Boundaries per round for which symmetric collars are grown, those with the largest meshes "
+      "among the ones that have a symmetry of order two");
+  effort("--symmetric-hexahedra", search.max_symmetric, 1, 200,
+         "Hexahedra of a symmetric collar, at most");
   effort("--collared", search.collared, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round for which collars are grown, those with the largest meshes");
   effort("--collar-hexahedra", search.max_collar, 1, 200, "Hexahedra of a collar, at most");
-  effort("--collar-widest", search.collars.max_quads, 6, flips::kMaxStateQuads,
-         "Quads of the boundaries inside a collar, at most");
-  effort("--collar-width", search.collars.fronts_per_level, std::size_t{1},
-         std::size_t{100'000'000}, "Collars of one boundary expanded per number of hexahedra");
-  effort("--collar-narrow", search.collars.scars_per_quad, 0U, 1000U,
-         "How much collars with few quads inside are preferred: a quad counts as so many of the "
-         "pairs of vertices that a collar relates");
+  for (const auto& [name, collars, widest] :
+       {std::tuple("--symmetric", &search.symmetric, flips::kMaxSymmetricQuads),
+        std::tuple("--collar", &search.collars, flips::kMaxStateQuads)}) {
+    const std::string prefix = name;
+    effort((prefix + "-widest").c_str(), collars->max_quads, 6, widest,
+           "Quads of the boundaries inside such a collar, at most");
+    effort((prefix + "-width").c_str(), collars->fronts_per_level, std::size_t{1},
+           std::size_t{100'000'000},
+           "Such collars of one boundary expanded per number of hexahedra");
+    effort((prefix + "-narrow").c_str(), collars->scars_per_quad, 0U, 1000U,
+           "How much such collars with few quads inside are preferred: a quad counts as so many of "
+           "the pairs of vertices that a collar relates");
+  }
   effort("--memory", options->memory_gib, 1, 4096, "GiB that the balls may take, about");
   add_seed(*build, search.balls.seed);
   add_threads(*build, options->threads);

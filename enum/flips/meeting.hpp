@@ -85,4 +85,12 @@ struct MeetingOptions {
                                                   const canon::Code& target,
                                                   const MeetingOptions& options);
 
+/// The same with collars that an involution of the boundary takes to themselves
+/// (symmetric_beam.hpp), for each involution in turn; the balls need no symmetry. nullopt for a
+/// boundary without involutions, too. Boundaries may have up to kMaxSymmetricQuads quads here.
+/// Involutions that do not keep options.apart are left out.
+[[nodiscard]] std::optional<Filling> best_symmetric_meeting(const BallSource& balls,
+                                                            const canon::Code& target,
+                                                            const MeetingOptions& options);
+
 }  // namespace hexatlas::flips

@@ -6,18 +6,6 @@ namespace hexatlas::flips {
 
 using complex::Vertex;
 
-Scars scars_of(const Relation& related, const Relation& quads, int vertices,
-               const canon::Labelling& label) noexcept {
-  Scars scars;
-  for (int v = 0; v < vertices; ++v) {
-    const auto a = static_cast<Vertex>(v);
-    VertexSet later = related[a] & ~quads[a] & ~(bit(a) - 1);
-    for (; later != 0; later &= later - 1)
-      scars.add(label[a], label[static_cast<std::size_t>(std::countr_zero(later))]);
-  }
-  return scars;
-}
-
 std::vector<Position> positions_of(const complex::Quadrangulation& boundary,
                                    const canon::CanonicalFlags& flags, const Relation& related) {
   const Relation quads = relation_of_quads(boundary);
@@ -30,9 +18,10 @@ std::vector<Position> positions_of(const complex::Quadrangulation& boundary,
   return result;
 }
 
-Scars Scars::renamed(const canon::Labelling& label) const noexcept {
-  Scars result;
-  for (std::size_t high = 1; high < kMaxStateQuads + 2; ++high)
+template <int kQuads>
+ScarSet<kQuads> ScarSet<kQuads>::renamed(const canon::Labelling& label) const noexcept {
+  ScarSet result;
+  for (std::size_t high = 1; high < kQuads + 2; ++high)
     for (std::size_t low = 0; low < high; ++low) {
       const auto a = static_cast<Vertex>(low);
       const auto b = static_cast<Vertex>(high);
@@ -41,7 +30,8 @@ Scars Scars::renamed(const canon::Labelling& label) const noexcept {
   return result;
 }
 
-std::uint64_t Scars::hash(std::uint64_t seed) const noexcept {
+template <int kQuads>
+std::uint64_t ScarSet<kQuads>::hash(std::uint64_t seed) const noexcept {
   std::uint64_t h = seed;
   constexpr std::size_t kAlways = 6;  // as many as boundaries in searches need
   for (std::size_t i = 0; i < words_.size(); ++i) {
@@ -51,6 +41,9 @@ std::uint64_t Scars::hash(std::uint64_t seed) const noexcept {
   }
   return h;
 }
+
+template class ScarSet<kMaxStateQuads>;
+template class ScarSet<kMaxSymmetricQuads>;
 
 CanonicalState canonical_state(const Front& front) {
   core::expects(front.boundary.quads() <= kMaxStateQuads, "a state has at most 30 quads");
@@ -74,16 +67,7 @@ CanonicalState canonical_state(const Front& front) {
 Front front_of(const State& state) {
   const auto boundary = canon::decode(state.code);
   core::expects(boundary.has_value(), "the code of a state can be decoded");
-  Front front{.boundary = *boundary, .related = relation_of_quads(*boundary)};
-  for (int high = 1; high < boundary->vertices(); ++high)
-    for (int low = 0; low < high; ++low) {
-      const auto a = static_cast<Vertex>(low);
-      const auto b = static_cast<Vertex>(high);
-      if (!state.scars.has(a, b)) continue;
-      front.related[a] |= bit(b);
-      front.related[b] |= bit(a);
-    }
-  return front;
+  return front_with(*boundary, state.scars);
 }
 
 }  // namespace hexatlas::flips

@@ -18,10 +18,14 @@ namespace hexatlas::flips {
 /// Boundaries of states have at most 30 quads, so that the pairs of their 32 vertices fit into
 /// eight words.
 inline constexpr int kMaxStateQuads = 30;
+/// Those of states with a symmetry, of which there are far fewer, have at most 40.
+inline constexpr int kMaxSymmetricQuads = 40;
 /// What most searches limit themselves to, in memory and time.
 inline constexpr int kMaxSearchQuads = 26;
 
-class Scars {
+/// A set of pairs of the vertices of a boundary with at most kQuads quads.
+template <int kQuads>
+class ScarSet {
  public:
   void add(complex::Vertex a, complex::Vertex b) noexcept {
     const std::size_t i = index(a, b);
@@ -36,35 +40,72 @@ class Scars {
     for (const std::uint64_t word : words_) count += std::popcount(word);
     return count;
   }
-  [[nodiscard]] bool is_subset_of(const Scars& other) const noexcept {
+  [[nodiscard]] bool is_subset_of(const ScarSet& other) const noexcept {
     std::uint64_t missing = 0;
     for (std::size_t i = 0; i < words_.size(); ++i) missing |= words_[i] & ~other.words_[i];
     return missing == 0;
   }
-  [[nodiscard]] bool is_disjoint_from(const Scars& other) const noexcept {
+  [[nodiscard]] bool is_disjoint_from(const ScarSet& other) const noexcept {
     std::uint64_t common = 0;
     for (std::size_t i = 0; i < words_.size(); ++i) common |= words_[i] & other.words_[i];
     return common == 0;
   }
   /// The scars after renaming the vertices.
-  [[nodiscard]] Scars renamed(const canon::Labelling& label) const noexcept;
+  [[nodiscard]] ScarSet renamed(const canon::Labelling& label) const noexcept;
   [[nodiscard]] std::uint64_t hash(std::uint64_t seed) const noexcept;
+  /// The same pairs, of the vertices of a boundary with at most kFewer quads.
+  template <int kFewer>
+  [[nodiscard]] ScarSet<kFewer> of_fewer() const noexcept {
+    ScarSet<kFewer> result;
+    for (std::size_t i = 0; i < result.words_.size(); ++i) result.words_[i] = words_[i];
+    return result;
+  }
 
-  friend auto operator<=>(const Scars&, const Scars&) = default;
+  friend auto operator<=>(const ScarSet&, const ScarSet&) = default;
 
  private:
+  template <int>
+  friend class ScarSet;
+  static constexpr std::size_t kPairs = (kQuads + 2) * (kQuads + 1) / 2;
   [[nodiscard]] static constexpr std::size_t index(complex::Vertex a, complex::Vertex b) noexcept {
     const std::size_t low = a < b ? a : b;
     const std::size_t high = a < b ? b : a;
     return high * (high - 1) / 2 + low;
   }
-  std::array<std::uint64_t, 8> words_{};
+  std::array<std::uint64_t, (kPairs + 63) / 64> words_{};
 };
+
+using Scars = ScarSet<kMaxStateQuads>;
 
 /// The scars of a relation on `vertices` boundary vertices under a labelling: the related pairs
 /// that `quads`, the relation of the boundary quads, does not have.
-[[nodiscard]] Scars scars_of(const Relation& related, const Relation& quads, int vertices,
-                             const canon::Labelling& label) noexcept;
+template <class Set = Scars>
+[[nodiscard]] Set scars_of(const Relation& related, const Relation& quads, int vertices,
+                           const canon::Labelling& label) noexcept {
+  Set scars;
+  for (int v = 0; v < vertices; ++v) {
+    const auto a = static_cast<complex::Vertex>(v);
+    VertexSet later = related[a] & ~quads[a] & ~(bit(a) - 1);
+    for (; later != 0; later &= later - 1)
+      scars.add(label[a], label[static_cast<std::size_t>(std::countr_zero(later))]);
+  }
+  return scars;
+}
+
+/// The front with this boundary and these scars.
+template <class Set>
+[[nodiscard]] Front front_with(const complex::Quadrangulation& boundary, const Set& scars) {
+  Front front{.boundary = boundary, .related = relation_of_quads(boundary)};
+  for (int high = 1; high < boundary.vertices(); ++high)
+    for (int low = 0; low < high; ++low) {
+      const auto a = static_cast<complex::Vertex>(low);
+      const auto b = static_cast<complex::Vertex>(high);
+      if (!scars.has(a, b)) continue;
+      front.related[a] |= bit(b);
+      front.related[b] |= bit(a);
+    }
+  return front;
+}
 
 /// One way to see a boundary as the canonical one, with the scars of a relation on it there.
 struct Position {

@@ -18,14 +18,14 @@ constexpr std::array<std::array<cells::CubeVertex, 4>, cells::kCubeFacets> kCorn
 
 struct Start {
   std::uint8_t cell = 0;
-  CubeSymmetry turn = 0;
+  cells::CubeSymmetry turn = 0;
 };
 
 /// Facets as seen in a hexahedron that is turned.
-unsigned turned(unsigned facets, CubeSymmetry turn) noexcept {
+unsigned turned(unsigned facets, cells::CubeSymmetry turn) noexcept {
   unsigned result = 0;
   for (unsigned f = 0; f < cells::kCubeFacets; ++f)
-    result |= (facets >> kCubeTables.facet[turn][f] & 1U) << f;
+    result |= (facets >> cells::kCubeTables.facet[turn][f] & 1U) << f;
   return result;
 }
 
@@ -51,7 +51,7 @@ class Walker {
     next_ = 0;
     letters_ = 0;
     is_less_ = false;
-    for (const cells::CubeVertex corner : kCubeTables.corner[start.turn])
+    for (const cells::CubeVertex corner : cells::kCubeTables.corner[start.turn])
       number_[ball_.cell(start.cell)[corner]] = next_++;
   }
 
@@ -66,14 +66,14 @@ class Walker {
 
   bool cross(std::size_t place, std::size_t f) noexcept {
     const Start from = order_[place];
-    const auto to = ball_.neighbour(from.cell, kCubeTables.facet[from.turn][f]);
+    const auto to = ball_.neighbour(from.cell, cells::kCubeTables.facet[from.turn][f]);
     if (!to.exists() || (met_ >> to.cell & 1U) != 0) return true;
     met_ |= 1U << to.cell;
-    const CubeSymmetry turn = kCubeTables.after[to.step][from.turn];
+    const cells::CubeSymmetry turn = cells::kCubeTables.after[to.step][from.turn];
     order_[met_count_++] = {to.cell, turn};
     if (!put(static_cast<std::uint8_t>(cells::kCubeFacets * place + f))) return false;
     for (const cells::CubeVertex corner : kCornersOfFacet[f]) {
-      std::uint8_t& number = number_[ball_.cell(to.cell)[kCubeTables.corner[turn][corner]]];
+      std::uint8_t& number = number_[ball_.cell(to.cell)[cells::kCubeTables.corner[turn][corner]]];
       if (number == kUnset) number = next_++;
       if (!put(number)) return false;
     }
@@ -109,10 +109,10 @@ class Walker {
 CanonicalWord canonical_word(const SmallBall& ball) {
   // Many turns of a hexahedron have fewer shared facets in front; they are left out unwalked.
   unsigned greatest = 0;
-  std::array<Start, kCubeSymmetries * kMaxBallHexahedra> starts{};
+  std::array<Start, cells::kCubeSymmetries * kMaxBallHexahedra> starts{};
   std::size_t count = 0;
   for (std::size_t c = 0; c < ball.cells().size(); ++c)
-    for (CubeSymmetry turn = 0; turn < kCubeSymmetries; ++turn) {
+    for (cells::CubeSymmetry turn = 0; turn < cells::kCubeSymmetries; ++turn) {
       const unsigned shared = turned(ball.shared_facets(c), turn);
       if (shared < greatest) continue;
       if (shared > greatest) count = 0;

@@ -24,7 +24,7 @@ constexpr auto kByWord = [](const auto& a, const auto& b) { return a.word < b.wo
 /// 48 H / |Aut| of a ball of H hexahedra: its numberings from a start, up to automorphisms. An
 /// automorphism that fixes a start is the identity, so the division leaves no remainder.
 std::uint32_t starts_up_to_symmetry(int hexahedra, std::uint32_t automorphisms) {
-  const auto starts = static_cast<std::uint32_t>(kCubeSymmetries * hexahedra);
+  const auto starts = static_cast<std::uint32_t>(cells::kCubeSymmetries * hexahedra);
   core::ensures(starts % automorphisms == 0, "automorphisms move starts freely");
   return starts / automorphisms;
 }

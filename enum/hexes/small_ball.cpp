@@ -209,7 +209,7 @@ void SmallBall::join(std::size_t c, Joint joint) {
   const Corners& other = cells_[joint.other];
   const unsigned own_axis = 1U << (joint.facet >> 1U);
   const unsigned other_axis = 1U << (joint.other_facet >> 1U);
-  CornerMap there{}, back{};
+  cells::CornerMap there{}, back{};
   for (const cells::CubeVertex corner : cells::kFacetVertices[joint.facet]) {
     const auto at =
         static_cast<unsigned>(std::find(other.begin(), other.end(), own[corner]) - other.begin());
@@ -219,8 +219,9 @@ void SmallBall::join(std::size_t c, Joint joint) {
     back[at] = static_cast<cells::CubeVertex>(corner ^ own_axis);
     back[at ^ other_axis] = corner;
   }
-  neighbours_[c][joint.facet] = {joint.other, symmetry_of(there)};
-  neighbours_[joint.other][joint.other_facet] = {static_cast<std::uint8_t>(c), symmetry_of(back)};
+  neighbours_[c][joint.facet] = {joint.other, cells::symmetry_of(there)};
+  neighbours_[joint.other][joint.other_facet] = {static_cast<std::uint8_t>(c),
+                                                 cells::symmetry_of(back)};
   shared_[c] = static_cast<std::uint8_t>(shared_[c] | 1U << joint.facet);
   shared_[joint.other] = static_cast<std::uint8_t>(shared_[joint.other] | 1U << joint.other_facet);
 }

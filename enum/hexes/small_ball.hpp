@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "enum/cells/cube.hpp"
+#include "enum/cells/cube_symmetries.hpp"
 #include "enum/complex/hex_complex.hpp"
-#include "enum/hexes/cube_symmetries.hpp"
 #include "enum/hexes/partial_mesh.hpp"
 
 namespace hexatlas::hexes {
@@ -55,7 +55,7 @@ class SmallBall {
   /// that continues the axes across the facet.
   struct Neighbour {
     std::uint8_t cell = kNone;
-    CubeSymmetry step = 0;
+    cells::CubeSymmetry step = 0;
     [[nodiscard]] bool exists() const noexcept { return cell != kNone; }
     static constexpr std::uint8_t kNone = 0xFF;
   };

@@ -9,6 +9,7 @@
 #include "enum/core/errors.hpp"
 #include "enum/flips/cut.hpp"
 #include "enum/flips/meeting.hpp"
+#include "enum/flips/symmetric_front.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "enum/quads/generate.hpp"
 #include "tables/fill/filled.hpp"
@@ -25,10 +26,18 @@ constexpr int kNone = 1 << 14;  ///< more than any mesh has
 constexpr std::array<std::string_view, flips::kFrontOrigins> kOriginNames{"sweep", "exchange",
                                                                           "collar", "cut", "table"};
 
+/// Whether a phase for the largest meshes is for boundaries like this one.
+bool is_for(TableSearch::Phase phase, const canon::Code& code) {
+  return phase != TableSearch::Phase::symmetric ||
+         !flips::involutions_of(canon::decode(code).value()).empty();
+}
+
 /// A shared seed and number of threads.
 SearchOptions adjusted(SearchOptions options) {
-  options.collars.seed = options.balls.seed;
-  options.collars.threads = options.balls.threads;
+  for (flips::BeamOptions* own : {&options.symmetric, &options.collars}) {
+    own->seed = options.balls.seed;
+    own->threads = options.balls.threads;
+  }
   return options;
 }
 
@@ -68,6 +77,7 @@ void TableSearch::step() {
   if (phase_ == Phase::sweep) return sweep_step();
   if (phase_ == Phase::exchange) return exchange_step();
   if (phase_ == Phase::cuts) return cut_step();
+  if (phase_ == Phase::symmetric) return symmetric_step();
   collar_step();
 }
 
@@ -76,7 +86,8 @@ void TableSearch::begin(Phase phase, std::size_t largest) {
   phase_ = phase;
   position_ = 0;
   std::vector<int> sizes;
-  for (const canon::Code& code : targets_) sizes.push_back(hexahedra(code));
+  for (const canon::Code& code : targets_)
+    if (is_for(phase, code)) sizes.push_back(hexahedra(code));
   std::sort(sizes.rbegin(), sizes.rend());
   const std::size_t count = std::min(largest, sizes.size());
   taken_from_ = count == 0 ? kNone + 1 : sizes[count - 1];
@@ -156,9 +167,14 @@ std::optional<TableSearch::Found> TableSearch::cut(const canon::Code& code) cons
       });
   if (least == candidates.end() || static_cast<int>(least->mesh.hexahedra.size()) >= known)
     return std::nullopt;
-  auto shelled = flips::in_shelling_order(least->mesh, kShellings, seed_for(code));
-  if (shelled) return Found{*std::move(shelled), least->origin, true};
-  return std::move(*least);
+  return in_order(code, std::move(*least));
+}
+
+/// The same mesh, in the order of a shelling if one was found.
+TableSearch::Found TableSearch::in_order(const canon::Code& code, Found found) const {
+  auto shelled = flips::in_shelling_order(found.mesh, kShellings, seed_for(code));
+  if (shelled) found = {*std::move(shelled), found.origin, true};
+  return found;
 }
 
 void TableSearch::cut_step() {
@@ -170,7 +186,7 @@ void TableSearch::cut_step() {
                          [&](std::size_t i) { found[i] = cut(batch[i]); });
   for (std::size_t i = 0; i < batch.size(); ++i)
     if (found[i]) adopt(batch[i], *found[i]);
-  if (position_ == targets_.size()) begin(Phase::collars, options_.collared);
+  if (position_ == targets_.size()) begin(Phase::symmetric, options_.symmetrized);
 }
 
 void TableSearch::adopt(const canon::Code& code, const Found& found) {
@@ -211,14 +227,32 @@ std::size_t TableSearch::take_over(const format::Table& table, const std::string
   return taken;
 }
 
+/// The next target of a phase for the largest, or nullptr.
+const canon::Code* TableSearch::next_largest() {
+  while (position_ < targets_.size()) {
+    const canon::Code& code = targets_[position_++];
+    if (hexahedra(code) >= taken_from_ && is_for(phase_, code)) return &code;
+  }
+  return nullptr;
+}
+
+void TableSearch::symmetric_step() {
+  const canon::Code* code = next_largest();
+  if (code == nullptr) return begin(Phase::collars, options_.collared);
+  const flips::MeetingOptions options{.collars = options_.symmetric,
+                                      .max_collar = options_.max_symmetric,
+                                      .below = hexahedra(*code)};
+  if (auto filling = flips::best_symmetric_meeting(flips::BeamBalls(balls_), *code, options))
+    adopt(*code, in_order(*code, {std::move(filling->mesh), flips::FrontOrigin::met}));
+}
+
 void TableSearch::collar_step() {
-  while (position_ < targets_.size() && hexahedra(targets_[position_]) < taken_from_) ++position_;
-  if (position_ == targets_.size()) return next_round();
-  const canon::Code& code = targets_[position_++];
-  flips::MeetingOptions options{
-      .collars = options_.collars, .max_collar = options_.max_collar, .below = hexahedra(code)};
-  if (const auto filling = flips::best_meeting(flips::BeamBalls(balls_), code, options))
-    adopt(code, {filling->mesh, flips::FrontOrigin::met, true});
+  const canon::Code* code = next_largest();
+  if (code == nullptr) return next_round();
+  const flips::MeetingOptions options{
+      .collars = options_.collars, .max_collar = options_.max_collar, .below = hexahedra(*code)};
+  if (const auto filling = flips::best_meeting(flips::BeamBalls(balls_), *code, options))
+    adopt(*code, {filling->mesh, flips::FrontOrigin::met, true});
 }
 
 void TableSearch::next_round() {
@@ -233,7 +267,8 @@ TableSearch::Progress TableSearch::progress() const {
   if (phase_ == Phase::sweep)
     return {round + ", sweep", static_cast<std::size_t>(balls_.level()) + 1,
             static_cast<std::size_t>(options_.max_hexahedra)};
-  constexpr std::array<std::string_view, 5> kNames{"sweep", "exchange", "cuts", "collars", "end"};
+  constexpr std::array<std::string_view, 6> kNames{
+      "sweep", "exchange", "cuts", "symmetric collars", "collars", "end"};
   return {round + ", " + std::string(kNames[static_cast<std::size_t>(phase_)]), position_,
           targets_.size()};
 }

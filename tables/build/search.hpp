@@ -7,8 +7,9 @@
 /// hexahedra are exchanged for smaller ones that the sweep knows (enum/flips/replacement.hpp).
 /// Then the boundaries with the largest meshes, and those without one, get more. *Cuts*: two known
 /// balls are joined along a disc (enum/flips/cut.hpp), and what they make, as well as the mesh
-/// known before, goes through a longer exchange. *Collars*: hexahedra are taken off inwards until a
-/// known ball fits (enum/flips/meeting.hpp). What is found goes back into the beam, with all balls
+/// known before, goes through a longer exchange. *Symmetric collars*, for boundaries that have an
+/// involution, and *collars*: hexahedra are taken off inwards until a known ball fits
+/// (enum/flips/meeting.hpp). What is found goes back into the beam, with all balls
 /// on the way, and the next sweep goes on from there: so a mesh one flip away from a smaller one
 /// becomes smaller, too. A mesh without a shelling that the beam could hold is kept beside it.
 ///
@@ -37,13 +38,18 @@ struct SearchOptions {
   /// Of the balls grown. The seed and the threads are those of the whole search.
   flips::BeamOptions balls{.max_quads = 24, .fronts_per_class = 200, .fronts_per_level = 1'000'000};
   int max_hexahedra = 72;      ///< of a ball
-  int rounds = 3;              ///< each: sweep, exchange, cuts, collars
+  int rounds = 3;              ///< each: sweep, exchange, cuts, symmetric collars, collars
   int growths = 20;            ///< of exchange, per boundary and round
   std::size_t cut = 1000;      ///< boundaries per round
   std::size_t cuts_each = 10;  ///< cuts of one boundary, each of which gets its exchange
   int cut_growths = 300;       ///< of exchange, per cut
   int cut_interior = 4;        ///< vertices inside the disc of a cut, at most 8
   unsigned cut_uphill = 4;     ///< of exchange, per cut (replacement.hpp)
+  /// A mesh with a symmetry is found at widths at which others are not.
+  flips::BeamOptions symmetric{
+      .max_quads = 34, .fronts_per_class = 20, .fronts_per_level = 1'000, .scars_per_quad = 3};
+  int max_symmetric = 40;        ///< hexahedra
+  std::size_t symmetrized = 50;  ///< boundaries per round
   /// Some boundaries have no flip that adds less than four quads; those around two vertices of high
   /// degree have no short way back to fewer.
   flips::BeamOptions collars{
@@ -62,7 +68,7 @@ class TableSearch {
   /// `targets`: codes of 3-connected quadrangulations with at most kMaxSearchQuads quads.
   TableSearch(std::vector<canon::Code> targets, const SearchOptions& options);
 
-  enum class Phase : std::uint8_t { sweep, exchange, cuts, collars, finished };
+  enum class Phase : std::uint8_t { sweep, exchange, cuts, symmetric, collars, finished };
 
   [[nodiscard]] bool is_finished() const noexcept { return phase_ == Phase::finished; }
   /// Does the next piece of work. Requires that the search is not finished.
@@ -127,12 +133,15 @@ class TableSearch {
   void sweep_step();
   void exchange_step();
   void cut_step();
+  void symmetric_step();
   void collar_step();
+  [[nodiscard]] const canon::Code* next_largest();
   void begin(Phase phase, std::size_t largest);
   void next_round();
   [[nodiscard]] Found smaller(const canon::Code& code, const complex::HexComplex& mesh,
                               flips::FrontOrigin origin, int growths) const;
   [[nodiscard]] std::optional<Found> cut(const canon::Code& code) const;
+  [[nodiscard]] Found in_order(const canon::Code& code, Found found) const;
   void adopt(const canon::Code& code, const Found& found);
   [[nodiscard]] std::uint64_t seed_for(const canon::Code& code) const;
   [[nodiscard]] const Loose* loose(const canon::Code& code) const;

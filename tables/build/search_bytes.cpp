@@ -63,12 +63,14 @@ std::string TableSearch::settings() const {
         static_cast<std::uint64_t>(options_.growths), std::uint64_t{options_.cut},
         std::uint64_t{options_.cuts_each}, static_cast<std::uint64_t>(options_.cut_growths),
         static_cast<std::uint64_t>(options_.cut_interior), std::uint64_t{options_.cut_uphill},
-        static_cast<std::uint64_t>(options_.collars.max_quads),
-        std::uint64_t{options_.collars.fronts_per_class},
-        std::uint64_t{options_.collars.fronts_per_level},
-        std::uint64_t{options_.collars.scars_per_quad},
+        static_cast<std::uint64_t>(options_.max_symmetric), std::uint64_t{options_.symmetrized},
         static_cast<std::uint64_t>(options_.max_collar), std::uint64_t{options_.collared}})
     text += ' ' + std::to_string(number);
+  for (const flips::BeamOptions* own : {&options_.symmetric, &options_.collars})
+    for (const std::uint64_t number :
+         {static_cast<std::uint64_t>(own->max_quads), std::uint64_t{own->fronts_per_class},
+          std::uint64_t{own->fronts_per_level}, std::uint64_t{own->scars_per_quad}})
+      text += ' ' + std::to_string(number);
   return digest_of(text);
 }
 

@@ -152,6 +152,21 @@ class Build(program.ProgramTest):
             found[options] = json.loads(ran.out)["hexahedra"] if ran.code == 0 else None
         self.assertEqual(list(found.values()), [None, None, 5, 5])
 
+    def test_symmetric_collars(self):
+        # As above: a reflection exchanges two of the five hexahedra.
+        code = "q1:0208208a97979797ddff"
+        found = {}
+        for options in (("0", "3", "26", "500"), ("5", "2", "26", "500"), ("5", "3", "12", "500"),
+                        ("5", "3", "26", "500"), ("5", "3", "36", "1")):
+            boundaries, thick, widest, width = options
+            self.hexatlas("table", "build", "-o", "c.hxt", *QUICK[:-4], "--also", code, "--cut", "0",
+                          "--max-hexahedra", "2", "--collared", "0", "--symmetric", boundaries,
+                          "--symmetric-hexahedra", thick, "--symmetric-widest", widest,
+                          "--symmetric-width", width)
+            ran = self.hexatlas("table", "get", "--table", "c.hxt", "--code", code)
+            found[options] = json.loads(ran.out)["hexahedra"] if ran.code == 0 else None
+        self.assertEqual(list(found.values()), [None, None, None, 5, 5])
+
 
 if __name__ == "__main__":
     program.main()

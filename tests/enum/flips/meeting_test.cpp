@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "enum/core/errors.hpp"
+#include "enum/flips/symmetric_front.hpp"
 #include "tests/enum/support.hpp"
 
 namespace {
@@ -61,6 +62,66 @@ TEST(Meeting, CollarsReachWhatBallsDoNot) {
     options.below = 1 << 14;
   }
   EXPECT_GT(found, 10);
+}
+
+TEST(Meeting, SymmetricCollarsFillWhatHasASymmetricMesh) {
+  // The single hexahedron is the only ball known: all else is symmetric collar.
+  const Beam cube = balls(limits(6, 1, 1), 1);
+  flips::MeetingOptions options{.collars = limits(20, 1'000, 1'000), .max_collar = 7};
+  for (const auto& [text, least] : {std::pair("q1:08a5df", 1U),
+                                    {"q1:022972977f", 2U},
+                                    {"q1:088a2a5ddf7f", 4U},
+                                    {"q1:02228a5d777f", 3U}}) {
+    const auto code = canon::from_text(text).value();
+    const auto filling = flips::best_symmetric_meeting(flips::BeamBalls(cube), code, options);
+    ASSERT_TRUE(filling.has_value()) << text;
+    EXPECT_EQ(filling->mesh.hexahedra.size(), least) << text;
+    EXPECT_EQ(support::fault_of_mesh(filling->mesh, code), "") << text;
+  }
+}
+
+TEST(Meeting, SymmetricCollarsMeetBallsWithoutSymmetry) {
+  const Beam beam = balls(limits(20, 50, 5'000), 6);
+  flips::MeetingOptions options{.collars = limits(28, 100, 300), .max_collar = 10};
+  support::Random random(62);
+  int found = 0;
+  int tried = 0;
+  for (int i = 0; tried < 12 && i < 400; ++i) {
+    const auto shelling = support::random_shelling(6 + random.below(4), 18, random);
+    const auto code = canon::canonical_form(shelling.front().boundary).code;
+    if (flips::involutions_of(canon::decode(code).value()).empty()) {
+      EXPECT_FALSE(
+          i < 20 &&
+          flips::best_symmetric_meeting(flips::BeamBalls(beam), code, options).has_value());
+      continue;
+    }
+    ++tried;
+    const auto filling = flips::best_symmetric_meeting(flips::BeamBalls(beam), code, options);
+    if (!filling) continue;
+    ++found;
+    EXPECT_EQ(support::fault_of_mesh(filling->mesh, code), "") << canon::to_text(code);
+    options.below = static_cast<int>(filling->mesh.hexahedra.size());
+    EXPECT_FALSE(flips::best_symmetric_meeting(flips::BeamBalls(beam), code, options).has_value());
+    options.below = 1 << 14;
+  }
+  EXPECT_GT(found, 5);
+}
+
+TEST(Meeting, SymmetricCollarsKeepApartWhatMustBe) {
+  const Beam beam = balls(limits(18, 10, 2'000), 8);
+  const auto code = canon::from_text("q1:022972977f").value();  // two hexahedra
+  const auto boundary = canon::decode(code).value();
+  flips::MeetingOptions options{.collars = limits(22, 50, 200), .max_collar = 8};
+  for (complex::Vertex a = 0; a < boundary.vertices(); ++a)
+    for (complex::Vertex b = 0; b < a; ++b) {
+      if ((flips::relation_of_quads(boundary)[a] & flips::bit(b)) != 0) continue;
+      options.apart = {};
+      options.apart.add(a, b);
+      const auto filling = flips::best_symmetric_meeting(flips::BeamBalls(beam), code, options);
+      if (!filling) continue;
+      EXPECT_EQ(support::fault_of_mesh(filling->mesh, code), "");
+      EXPECT_TRUE(flips::scars_of(filling->mesh, boundary).is_disjoint_from(options.apart));
+    }
 }
 
 TEST(Meeting, NeedsA3ConnectedBoundary) {

@@ -38,3 +38,6 @@ hexatlas_test(enum_flips_peeling_test fast
 hexatlas_test(enum_flips_reducing_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/reducing_test.cpp
   USES enum_flips)
+hexatlas_test(enum_flips_symmetric_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/symmetric_front_test.cpp
+  USES enum_flips enum_quads)

@@ -265,10 +265,10 @@ TEST(SmallBall, TakesWhatKeepsTheStrictRule) {
 }
 
 TEST(CubeSymmetries, AreThe48MapsThatKeepEdges) {
-  std::set<hexes::CornerMap> all;
-  for (hexes::CubeSymmetry s = 0; s < hexes::kCubeSymmetries; ++s) {
-    const auto& map = hexes::kCubeTables.corner[s];
-    EXPECT_EQ(hexes::symmetry_of(map), s);
+  std::set<cells::CornerMap> all;
+  for (cells::CubeSymmetry s = 0; s < cells::kCubeSymmetries; ++s) {
+    const auto& map = cells::kCubeTables.corner[s];
+    EXPECT_EQ(cells::symmetry_of(map), s);
     all.insert(map);
     for (unsigned v = 0; v < 8; ++v)
       for (unsigned k = 0; k < 3; ++k)
@@ -276,17 +276,17 @@ TEST(CubeSymmetries, AreThe48MapsThatKeepEdges) {
     for (unsigned f = 0; f < 6; ++f) {
       std::set<unsigned> image, facet;
       for (const auto corner : cells::kFacetVertices[f]) image.insert(map[corner]);
-      for (const auto corner : cells::kFacetVertices[hexes::kCubeTables.facet[s][f]])
+      for (const auto corner : cells::kFacetVertices[cells::kCubeTables.facet[s][f]])
         facet.insert(corner);
       EXPECT_EQ(image, facet);
     }
-    for (hexes::CubeSymmetry t = 0; t < hexes::kCubeSymmetries; ++t)
+    for (cells::CubeSymmetry t = 0; t < cells::kCubeSymmetries; ++t)
       for (unsigned v = 0; v < 8; ++v)
-        EXPECT_EQ(hexes::kCubeTables.corner[hexes::kCubeTables.after[s][t]][v],
-                  map[hexes::kCubeTables.corner[t][v]]);
+        EXPECT_EQ(cells::kCubeTables.corner[cells::kCubeTables.after[s][t]][v],
+                  map[cells::kCubeTables.corner[t][v]]);
   }
   EXPECT_EQ(all.size(), 48U);
-  EXPECT_EQ(hexes::kCubeTables.corner[0], (hexes::CornerMap{0, 1, 2, 3, 4, 5, 6, 7}));
+  EXPECT_EQ(cells::kCubeTables.corner[0], (cells::CornerMap{0, 1, 2, 3, 4, 5, 6, 7}));
 }
 
 }  // namespace

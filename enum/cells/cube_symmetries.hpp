@@ -12,7 +12,7 @@
 
 #include "enum/cells/cube.hpp"
 
-namespace hexatlas::hexes {
+namespace hexatlas::cells {
 
 inline constexpr int kCubeSymmetries = 48;
 
@@ -22,7 +22,7 @@ using CubeSymmetry = std::uint8_t;  ///< in [0, kCubeSymmetries); 0 is the ident
 inline constexpr std::array<std::array<std::uint8_t, 3>, 6> kAxisPermutations{
     {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
 
-using CornerMap = std::array<cells::CubeVertex, cells::kCubeVertices>;
+using CornerMap = std::array<CubeVertex, kCubeVertices>;
 
 [[nodiscard]] constexpr CornerMap corner_map(CubeSymmetry symmetry) noexcept {
   CornerMap map{};
@@ -30,7 +30,7 @@ using CornerMap = std::array<cells::CubeVertex, cells::kCubeVertices>;
     unsigned image = symmetry / 6U;
     for (unsigned k = 0; k < 3; ++k)
       if ((v >> k & 1U) != 0) image ^= 1U << kAxisPermutations[symmetry % 6U][k];
-    map[v] = static_cast<cells::CubeVertex>(image);
+    map[v] = static_cast<CubeVertex>(image);
   }
   return map;
 }
@@ -46,7 +46,7 @@ using CornerMap = std::array<cells::CubeVertex, cells::kCubeVertices>;
 
 struct CubeTables {
   std::array<CornerMap, kCubeSymmetries> corner{};
-  std::array<std::array<cells::CubeFacet, cells::kCubeFacets>, kCubeSymmetries> facet{};
+  std::array<std::array<CubeFacet, kCubeFacets>, kCubeSymmetries> facet{};
   /// after[a][b] is b followed by a.
   std::array<std::array<CubeSymmetry, kCubeSymmetries>, kCubeSymmetries> after{};
 };
@@ -55,10 +55,10 @@ struct CubeTables {
   CubeTables tables;
   for (CubeSymmetry s = 0; s < kCubeSymmetries; ++s) {
     tables.corner[s] = corner_map(s);
-    for (unsigned f = 0; f < cells::kCubeFacets; ++f) {
+    for (unsigned f = 0; f < kCubeFacets; ++f) {
       const unsigned axis = kAxisPermutations[s % 6U][f / 2];
       const unsigned side = (s / 6U >> axis & 1U) ^ (f & 1U);
-      tables.facet[s][f] = static_cast<cells::CubeFacet>(2 * axis + side);
+      tables.facet[s][f] = static_cast<CubeFacet>(2 * axis + side);
     }
   }
   for (CubeSymmetry a = 0; a < kCubeSymmetries; ++a)
@@ -72,4 +72,4 @@ struct CubeTables {
 
 inline constexpr CubeTables kCubeTables = cube_tables();
 
-}  // namespace hexatlas::hexes
+}  // namespace hexatlas::cells

@@ -1,0 +1,74 @@
+#pragma once
+/// \file
+/// Cavities that collars leave, looked up among known balls: the inner step of a meeting
+/// (meeting.hpp), whatever search the collars come from.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "enum/flips/meeting.hpp"
+
+namespace hexatlas::flips {
+
+struct Cavity {
+  State state;
+  int collar = 0;  ///< hexahedra taken off
+};
+
+/// A cavity and a ball that fills it. The ball's canonical boundary vertex v lies at the cavity's
+/// turn[v].
+struct Meeting {
+  canon::Code boundary;
+  std::size_t ball = 0;    ///< its place among those of the boundary
+  std::size_t cavity = 0;  ///< its place among those looked up with it
+  canon::Labelling turn{};
+  bool is_mirrored = false;  ///< the turn reverses orientation
+  int hexahedra = 0;         ///< of the collar and the ball
+};
+
+class Matcher {
+ public:
+  /// `balls` must outlive this. Only meetings with fewer than `below` hexahedra are of interest.
+  Matcher(const BallSource& balls, int below, int threads)
+      : balls_(balls), below_(below), threads_(threads) {}
+
+  /// The least meeting of these cavities, if it is less than all before; of equal ones that of the
+  /// first cavity and its first position. Deterministic for any number of threads.
+  [[nodiscard]] std::optional<Meeting> match(std::span<const Cavity> cavities);
+  /// Only what has fewer hexahedra than this is still of interest.
+  [[nodiscard]] int below() const noexcept { return below_; }
+
+ private:
+  /// The balls of one class, in every position that the symmetries of their boundary allow.
+  struct Fillings {
+    struct Position {
+      Scars scars;
+      std::uint32_t ball = 0;  ///< index into `balls`
+      std::uint32_t turn = 0;  ///< index into `automorphisms`
+    };
+    struct Automorphism {
+      canon::Labelling label{};  ///< of the canonical list: the image of each vertex
+      bool is_mirrored = false;
+    };
+    std::vector<KnownBall> balls;
+    std::vector<Automorphism> automorphisms;
+    std::vector<Position> positions;  ///< fewest hexahedra first
+  };
+
+  void add_class(const Cavity& cavity);
+  [[nodiscard]] std::optional<Meeting> match_one(const Cavity& cavity, int below) const;
+
+  const BallSource& balls_;
+  int below_;
+  int threads_;
+  std::unordered_map<canon::Code, Fillings> known_;
+};
+
+/// The mesh that a meeting makes of a boundary with so many quads. `collar` leads to its cavity.
+[[nodiscard]] Filling assembled(const BallSource& balls, const Layers& collar,
+                                const Meeting& meeting, int quads);
+
+}  // namespace hexatlas::flips

@@ -1,0 +1,273 @@
+#include "enum/flips/symmetric_front.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <tuple>
+
+#include "enum/cells/cube_symmetries.hpp"
+#include "enum/core/checks.hpp"
+
+namespace hexatlas::flips {
+namespace {
+
+using complex::Quadrangulation;
+using complex::Vertex;
+using Cell = std::array<OrbitVertex, cells::kCubeVertices>;
+using QuadSet = std::uint64_t;
+
+constexpr OrbitVertex kUnknown = 0xFF;
+constexpr std::size_t kNames = complex::kMaxVertices + kNewPerOrbit;
+
+/// A front whose vertices have names: those of the front before the orbit, and of new vertices.
+struct Named {
+  Front front;
+  std::array<OrbitVertex, complex::kMaxVertices> name{};
+};
+
+/// The hexahedron of a prism; top i has the name first_new + i if it is new.
+Cell named_cell(const Named& from, const Prism& prism, int first_new) {
+  Cell cell{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vertex top = prism.top[i];
+    cell[cells::kCornerOfPrism[i]] = from.name[prism.bottom[i]];
+    cell[cells::kCornerOfPrism[4 + i]] =
+        top == kNewVertex ? static_cast<OrbitVertex>(first_new + static_cast<int>(i))
+                          : from.name[top];
+  }
+  return cell;
+}
+
+Named after_gluing(const Named& from, Flip flip, const Prism& prism, const Cell& cell) {
+  const Glued next = glued(from.front, flip, prism);
+  Named result{next.front};
+  for (int v = 0; v < result.front.boundary.vertices(); ++v) {
+    const Vertex former = next.flipped.former[static_cast<std::size_t>(v)];
+    if (former != kNewVertex) result.name[static_cast<std::size_t>(v)] = from.name[former];
+  }
+  for (std::size_t i = 0; i < 4; ++i)
+    result.name[next.flipped.top[i]] = cell[cells::kCornerOfPrism[4 + i]];
+  return result;
+}
+
+QuadSet patch_of(const Quadrangulation& q, Flip flip) {
+  QuadSet result = QuadSet{1} << flip.bottom;
+  for (int i = 0; i < 4; ++i)
+    if (flip.has(static_cast<unsigned>(i)))
+      result |=
+          QuadSet{1} << Quadrangulation::quad_of(q.twin(Quadrangulation::dart(flip.bottom, i)));
+  return result;
+}
+
+/// Glues orbits on one front.
+class Gluer {
+ public:
+  Gluer(const SymmetricFront& from, int max_quads,
+        const std::function<void(const GluedOrbit&)>& visit)
+      : from_(from), max_quads_(max_quads), visit_(visit), start_{from.front} {
+    const Quadrangulation& q = from.front.boundary;
+    for (int v = 0; v < q.vertices(); ++v)
+      start_.name[static_cast<std::size_t>(v)] = static_cast<OrbitVertex>(v);
+    std::array<VertexSet, complex::kMaxQuads> quad{};
+    for (int i = 0; i < q.quads(); ++i)
+      quad[static_cast<std::size_t>(i)] = set_of(q.vertices_of(i));
+    for (int i = 0; i < q.quads(); ++i) {
+      VertexSet image = 0;
+      for (const Vertex v : q.vertices_of(i)) image |= bit(from.image[v]);
+      const auto at = std::find(quad.begin(), quad.begin() + q.quads(), image);
+      image_of_quad_[static_cast<std::size_t>(i)] = static_cast<complex::Quad>(at - quad.begin());
+    }
+  }
+
+  void glue_all() const {
+    // Between the two hexahedra of an orbit there may be more quads, by as many as one adds.
+    constexpr int kMostAdded = 4;
+    for_each_glueable(from_.front, std::min(max_quads_ + kMostAdded, kMaxFrontQuads),
+                      [this](Flip flip, const Prism& prism) { glue(flip, prism); });
+  }
+
+ private:
+  [[nodiscard]] int old_vertices() const noexcept { return from_.front.boundary.vertices(); }
+  [[nodiscard]] bool is_old(OrbitVertex v) const noexcept { return v < old_vertices(); }
+
+  void glue(Flip flip, const Prism& prism) const {
+    const QuadSet patch = patch_of(from_.front.boundary, flip);
+    QuadSet image = 0;
+    for (QuadSet left = patch; left != 0; left &= left - 1)
+      image |= QuadSet{1} << image_of_quad_[static_cast<std::size_t>(std::countr_zero(left))];
+    const bool is_own_image = patch == image;
+    // A quad can be glued on once; and of the two orders one is enough.
+    if (!is_own_image &&
+        ((patch & image) != 0 || std::countr_zero(patch) > std::countr_zero(image)))
+      return;
+    const Cell cell = named_cell(start_, prism, old_vertices());
+    const Named next = after_gluing(start_, flip, prism, cell);
+    if (is_own_image) return finish({{flip, {}}, 1}, next, {cell, cell});
+    glue_image(flip, next, cell);
+  }
+
+  /// Looks for the image among the hexahedra that may be glued on next: all its vertices are images
+  /// of old ones, or new.
+  void glue_image(Flip first, const Named& next, const Cell& cell) const {
+    std::array<bool, kNames> may_have{};
+    for (const OrbitVertex v : cell) {
+      if (is_old(v)) may_have[from_.image[v]] = true;
+      if (!is_old(v)) may_have[v] = true;
+    }
+    const Quadrangulation& q = next.front.boundary;
+    for (int bottom = 0; bottom < q.quads(); ++bottom) {
+      const auto corners = q.vertices_of(bottom);
+      if (!std::all_of(corners.begin(), corners.end(),
+                       [&](Vertex v) { return may_have[next.name[v]]; }))
+        continue;
+      for (unsigned left = possible_sides(next.front, static_cast<complex::Quad>(bottom));
+           left != 0; left &= left - 1) {
+        const Flip flip{static_cast<complex::Quad>(bottom),
+                        static_cast<std::uint8_t>(std::countr_zero(left))};
+        const auto prism = prism_of(q, flip);
+        if (!prism || !may_glue(next.front, flip, *prism) || !is_preferred(q, flip)) continue;
+        const Cell other = named_cell(next, *prism, old_vertices() + 4);
+        if (q.quads() + 6 - 2 * flip.consumed() >= 6)
+          finish({{first, flip}, 2}, after_gluing(next, flip, *prism, other), {cell, other});
+      }
+    }
+  }
+
+  /// The images of all names if the involution takes `cell` to `other`, corner by corner.
+  [[nodiscard]] bool extend(const Cell& cell, const Cell& other, const cells::CornerMap& turn,
+                            std::array<OrbitVertex, kNames>& image) const {
+    for (std::size_t c = 0; c < cell.size(); ++c)
+      if (is_old(cell[c]) ? other[turn[c]] != from_.image[cell[c]] : is_old(other[turn[c]]))
+        return false;
+    image.fill(kUnknown);
+    std::copy_n(from_.image.begin(), old_vertices(), image.begin());
+    for (std::size_t c = 0; c < cell.size(); ++c) {
+      if (is_old(cell[c])) continue;
+      const OrbitVertex to = other[turn[c]];
+      for (const auto& [a, b] : {std::pair(cell[c], to), std::pair(to, cell[c])}) {
+        if (image[a] != kUnknown && image[a] != b) return false;
+        image[a] = b;
+      }
+    }
+    return true;
+  }
+
+  /// Visits the orbit if the involution takes the first hexahedron to the second.
+  void finish(const Orbit& orbit, const Named& last, const std::array<Cell, 2>& cell) const {
+    const int vertices = last.front.boundary.vertices();
+    if (last.front.boundary.quads() > max_quads_) return;
+    std::array<OrbitVertex, kNames> image{};
+    for (const cells::CornerMap& turn : cells::kCubeTables.corner) {
+      if (!extend(cell[0], cell[1], turn, image)) continue;
+      std::array<OrbitVertex, kNames> place{};
+      place.fill(kUnknown);
+      for (int v = 0; v < vertices; ++v)
+        place[last.name[static_cast<std::size_t>(v)]] = static_cast<OrbitVertex>(v);
+      GluedOrbit result{orbit, {last.front}, last.name, cell};
+      for (std::size_t v = 0; v < static_cast<std::size_t>(vertices); ++v) {
+        result.made.image[v] = place[image[last.name[v]]];
+        core::check_law([&] { return result.made.image[v] != kUnknown; },
+                        "the image of a boundary vertex is on the boundary");
+      }
+      return visit_(result);
+    }
+  }
+
+  const SymmetricFront& from_;
+  int max_quads_;
+  const std::function<void(const GluedOrbit&)>& visit_;
+  Named start_;
+  std::array<complex::Quad, complex::kMaxQuads> image_of_quad_{};
+};
+
+canon::Labelling after(const canon::Labelling& second, const canon::Labelling& first,
+                       int vertices) {
+  canon::Labelling result{};
+  for (std::size_t v = 0; v < static_cast<std::size_t>(vertices); ++v) result[v] = second[first[v]];
+  return result;
+}
+
+}  // namespace
+
+std::vector<Involution> involutions_of(const Quadrangulation& boundary) {
+  core::expects(boundary.is_three_connected(), "symmetries are those of a 3-connected boundary");
+  canon::CanonicalFlags flags;
+  canon::canonical_flags(boundary, flags);
+  const int vertices = boundary.vertices();
+  // Two canonical labellings differ by an automorphism.
+  const canon::Labelling first = canon::labelling_from(boundary, flags.flags[0]);
+  canon::Labelling vertex_of{};
+  for (int v = 0; v < vertices; ++v)
+    vertex_of[first[static_cast<std::size_t>(v)]] = static_cast<Vertex>(v);
+  std::vector<canon::Labelling> group;
+  group.reserve(static_cast<std::size_t>(flags.count));
+  for (int i = 0; i < flags.count; ++i)
+    group.push_back(after(vertex_of,
+                          canon::labelling_from(boundary, flags.flags[static_cast<std::size_t>(i)]),
+                          vertices));
+  const canon::Labelling identity = group.front();
+  std::vector<Involution> result;
+  for (std::size_t i = 1; i < group.size(); ++i) {
+    if (after(group[i], group[i], vertices) != identity) continue;
+    const bool is_new = std::none_of(group.begin(), group.end(), [&](const canon::Labelling& g) {
+      return std::any_of(result.begin(), result.end(), [&](const Involution& known) {
+        return after(g, group[i], vertices) == after(known.image, g, vertices);
+      });
+    });
+    if (is_new) result.push_back({group[i], flags.flags[i].mirrored != flags.flags[0].mirrored});
+  }
+  return result;
+}
+
+void for_each_glueable_orbit(const SymmetricFront& front, int max_quads,
+                             const std::function<void(const GluedOrbit&)>& visit) {
+  core::expects(max_quads <= kMaxSymmetricQuads, "a symmetric state has at most 40 quads");
+  Gluer(front, max_quads, visit).glue_all();
+}
+
+GluedOrbit glued(const SymmetricFront& front, const Orbit& orbit) {
+  std::optional<GluedOrbit> found;
+  for_each_glueable_orbit(front, kMaxSymmetricQuads, [&](const GluedOrbit& each) {
+    if (each.orbit == orbit) found = each;
+  });
+  core::expects(found.has_value(), "the orbit may be glued on");
+  return *found;
+}
+
+std::uint64_t SymmetricState::hash(std::uint64_t seed) const noexcept {
+  std::uint64_t h = scars.hash(seed ^ std::hash<canon::Code>{}(code));
+  for (int v = 0; v < code.quads + 2; ++v)
+    h = (h ^ image[static_cast<std::size_t>(v)]) * 0x9E3779B97F4A7C15ULL;
+  return h ^ h >> 29U;
+}
+
+CanonicalSymmetricState canonical_state(const SymmetricFront& front) {
+  const Quadrangulation& boundary = front.front.boundary;
+  core::expects(boundary.quads() <= kMaxSymmetricQuads, "a symmetric state has at most 40 quads");
+  canon::CanonicalFlags flags;
+  canon::canonical_flags(boundary, flags);
+  const Relation quads = relation_of_quads(boundary);
+  CanonicalSymmetricState result;
+  for (int i = 0; i < flags.count; ++i) {
+    const canon::Flag flag = flags.flags[static_cast<std::size_t>(i)];
+    const canon::Labelling label = canon::labelling_from(boundary, flag);
+    SymmetricState state{flags.code, {}, {}};
+    state.scars =
+        scars_of<SymmetricState::Scars>(front.front.related, quads, boundary.vertices(), label);
+    for (std::size_t v = 0; v < static_cast<std::size_t>(boundary.vertices()); ++v)
+      state.image[label[v]] = label[front.image[v]];
+    if (i > 0 && !(state < result.state)) continue;
+    result = {state, label, flag.mirrored};
+  }
+  return result;
+}
+
+SymmetricFront front_of(const SymmetricState& state) {
+  const auto boundary = canon::decode(state.code);
+  core::expects(boundary.has_value(), "the code of a state can be decoded");
+  SymmetricFront result{front_with(*boundary, state.scars)};
+  std::copy(state.image.begin(), state.image.end(), result.image.begin());
+  return result;
+}
+
+}  // namespace hexatlas::flips

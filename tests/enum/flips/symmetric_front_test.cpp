@@ -1,0 +1,328 @@
+// Claim. Involutions are the automorphisms of order two, one per class; the orbits visited are
+// exactly those whose hexahedra may be glued on one after the other so that the involution extends;
+// states are equal exactly if the fronts are isomorphic, the search sees all that orbits reach.
+// Oracle. Automorphisms of the graph by backtracking; all pairs of flips, with the extension looked
+// for among all maps of corners that keep edges.
+#include "enum/flips/symmetric_front.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include "enum/flips/symmetric_beam.hpp"
+#include "enum/quads/generate.hpp"
+#include "tests/enum/support.hpp"
+
+namespace {
+
+using namespace hexatlas;
+using complex::Quadrangulation;
+using complex::Vertex;
+using flips::Front;
+using flips::SymmetricFront;
+using flips::SymmetricState;
+
+using Permutation = std::vector<int>;
+
+std::vector<Quadrangulation> boundaries(int most) {
+  std::vector<Quadrangulation> result;
+  for (int n = 6; n <= most; n += 2)
+    (void)quads::generate(quads::Class::three_connected, n,
+                          [&](const Quadrangulation& q, int, int) { result.push_back(q); });
+  return result;
+}
+
+/// All automorphisms of the graph, which are those of the map: it is 3-connected.
+class Automorphisms {
+ public:
+  explicit Automorphisms(const Quadrangulation& q)
+      : image_(static_cast<std::size_t>(q.vertices()), -1) {
+    for (int d = 0; d < q.darts(); ++d)
+      edges_.emplace(q.origin(static_cast<complex::Dart>(d)),
+                     q.origin(Quadrangulation::next(static_cast<complex::Dart>(d))));
+    extend(0);
+  }
+  [[nodiscard]] const std::vector<Permutation>& all() const { return all_; }
+
+ private:
+  void extend(int v) {
+    const auto n = static_cast<int>(image_.size());
+    if (v == n) return all_.push_back(image_);
+    for (int w = 0; w < n; ++w) {
+      bool fits = std::find(image_.begin(), image_.begin() + v, w) == image_.begin() + v;
+      for (int u = 0; u < v && fits; ++u)
+        fits = edges_.contains({u, v}) == edges_.contains({image_[static_cast<std::size_t>(u)], w});
+      if (!fits) continue;
+      image_[static_cast<std::size_t>(v)] = w;
+      extend(v + 1);
+    }
+  }
+  std::set<std::pair<int, int>> edges_;
+  Permutation image_;
+  std::vector<Permutation> all_;
+};
+
+Permutation then(const Permutation& first, const Permutation& second) {
+  Permutation result(first.size());
+  for (std::size_t v = 0; v < first.size(); ++v)
+    result[v] = second[static_cast<std::size_t>(first[v])];
+  return result;
+}
+
+Permutation inverse(const Permutation& p) {
+  Permutation result(p.size());
+  for (std::size_t v = 0; v < p.size(); ++v)
+    result[static_cast<std::size_t>(p[v])] = static_cast<int>(v);
+  return result;
+}
+
+TEST(Involutions, AreThoseOfTheGraphOneOfEachClass) {
+  std::size_t with = 0;
+  for (const Quadrangulation& q : boundaries(14)) {
+    const auto group = Automorphisms(q).all();
+    Permutation identity(static_cast<std::size_t>(q.vertices()));
+    std::iota(identity.begin(), identity.end(), 0);
+    std::set<std::set<Permutation>> classes;
+    for (const Permutation& p : group) {
+      if (p == identity || then(p, p) != identity) continue;
+      std::set<Permutation> conjugates;
+      for (const Permutation& g : group) conjugates.insert(then(then(inverse(g), p), g));
+      classes.insert(conjugates);
+    }
+    const auto found = flips::involutions_of(q);
+    EXPECT_EQ(found.size(), classes.size());
+    with += found.empty() ? 0 : 1;
+    for (const flips::Involution& each : found) {
+      const Permutation p(each.image.begin(), each.image.begin() + q.vertices());
+      const auto at = std::find_if(classes.begin(), classes.end(),
+                                   [&](const auto& one) { return one.contains(p); });
+      ASSERT_NE(at, classes.end()) << "twice, or no involution";
+      classes.erase(at);
+      // Reverses orientation: a quad's vertices come round the other way.
+      const auto quad = q.vertices_of(0);
+      complex::QuadVertices image{};
+      for (std::size_t i = 0; i < 4; ++i) image[i] = each.image[quad[i]];
+      const auto quads = q.list_of_quads();
+      const bool is_quad = std::any_of(quads.begin(), quads.end(), [&](const auto& other) {
+        return support::cycle(other) == support::cycle(image);
+      });
+      EXPECT_EQ(is_quad, !each.is_mirrored);
+    }
+  }
+  EXPECT_GT(with, 50U);
+}
+
+/// Maps of the corners of a cube, bits being coordinates, that keep edges.
+std::vector<std::array<std::size_t, 8>> corner_maps() {
+  std::vector<std::array<std::size_t, 8>> result;
+  std::array<std::size_t, 8> map{};
+  std::iota(map.begin(), map.end(), 0U);
+  do {
+    bool keeps = true;
+    for (std::size_t a = 0; a < 8 && keeps; ++a)
+      for (std::size_t b = 0; b < a && keeps; ++b)
+        keeps = std::has_single_bit(a ^ b) == std::has_single_bit(map[a] ^ map[b]);
+    if (keeps) result.push_back(map);
+  } while (std::next_permutation(map.begin(), map.end()));
+  return result;
+}
+
+/// A front whose vertices have names, and a hexahedron by corner in these names.
+struct Step {
+  Front front;
+  std::vector<int> name;
+  std::array<int, 8> cell{};
+};
+
+std::vector<Step> all_steps(const Front& front, const std::vector<int>& name, int first_new) {
+  std::vector<Step> result;
+  for (const flips::Flip flip : support::candidate_flips(front.boundary, flips::kMaxFrontQuads)) {
+    const auto prism = flips::prism_of(front.boundary, flip).value();
+    if (!flips::may_glue(front, flip, prism) || !flips::is_preferred(front.boundary, flip))
+      continue;
+    const auto next = flips::glued(front, flip, prism);
+    Step step{next.front, {}, {}};
+    constexpr std::array<std::size_t, 4> kRound{0, 1, 3, 2};
+    for (std::size_t i = 0; i < 4; ++i) {
+      step.cell[kRound[i]] = name[prism.bottom[i]];
+      step.cell[4 + kRound[i]] =
+          prism.top[i] == flips::kNewVertex ? first_new + static_cast<int>(i) : name[prism.top[i]];
+    }
+    for (int v = 0; v < next.front.boundary.vertices(); ++v) {
+      const Vertex former = next.flipped.former[static_cast<std::size_t>(v)];
+      step.name.push_back(former == flips::kNewVertex ? -1 : name[former]);
+    }
+    for (std::size_t i = 0; i < 4; ++i) step.name[next.flipped.top[i]] = step.cell[4 + kRound[i]];
+    result.push_back(step);
+  }
+  return result;
+}
+
+/// The extension of the involution, given by name, that takes one hexahedron to the other, if any.
+std::optional<std::map<int, int>> extension(std::map<int, int> image,
+                                            const std::array<int, 8>& cell,
+                                            const std::array<int, 8>& other) {
+  static const auto kMaps = corner_maps();
+  const auto old = image;
+  for (const auto& map : kMaps) {
+    auto extended = old;
+    bool fits = true;
+    for (std::size_t c = 0; c < 8 && fits; ++c)
+      fits = extended.emplace(cell[c], other[map[c]]).first->second == other[map[c]] &&
+             extended.emplace(other[map[c]], cell[c]).first->second == cell[c];
+    if (fits) return extended;
+  }
+  return std::nullopt;
+}
+
+void add_state(const Step& last, const std::map<int, int>& image, int max_quads,
+               std::set<SymmetricState>& states) {
+  if (last.front.boundary.quads() > max_quads) return;
+  SymmetricFront made{last.front, {}};
+  for (std::size_t v = 0; v < last.name.size(); ++v) {
+    const auto at = std::find(last.name.begin(), last.name.end(), image.at(last.name[v]));
+    made.image[v] = static_cast<Vertex>(at - last.name.begin());
+  }
+  states.insert(flips::canonical_state(made).state);
+}
+
+/// The states after all pairs of flips that are an orbit.
+std::set<SymmetricState> states_by_pairs(const SymmetricFront& from, int max_quads) {
+  const int vertices = from.front.boundary.vertices();
+  std::vector<int> name(static_cast<std::size_t>(vertices));
+  std::iota(name.begin(), name.end(), 0);
+  std::map<int, int> image;
+  for (int v = 0; v < vertices; ++v) image[v] = from.image[static_cast<std::size_t>(v)];
+  std::set<SymmetricState> result;
+  for (const Step& first : all_steps(from.front, name, vertices)) {
+    if (const auto own = extension(image, first.cell, first.cell))
+      add_state(first, *own, max_quads, result);
+    for (const Step& second : all_steps(first.front, first.name, vertices + 4))
+      if (const auto both = extension(image, first.cell, second.cell))
+        add_state(second, *both, max_quads, result);
+  }
+  return result;
+}
+
+TEST(Orbits, AreThePairsOfFlipsThatTheInvolutionExchanges) {
+  support::Random random(71);
+  int orbits = 0;
+  int own = 0;
+  for (const Quadrangulation& q : boundaries(12))
+    for (const flips::Involution& involution : flips::involutions_of(q)) {
+      SymmetricFront front{{q, flips::relation_of_quads(q)}, involution.image};
+      for (int step = 0; step < 4; ++step) {
+        const int max_quads = step % 2 == 0 ? 20 : 16;
+        std::vector<flips::GluedOrbit> found;
+        std::set<SymmetricState> states;
+        flips::for_each_glueable_orbit(front, max_quads, [&](const flips::GluedOrbit& orbit) {
+          found.push_back(orbit);
+          states.insert(flips::canonical_state(orbit.made).state);
+          EXPECT_EQ(flips::glued(front, orbit.orbit).former, orbit.former);
+          own += orbit.orbit.size == 1 ? 1 : 0;
+        });
+        EXPECT_EQ(states, states_by_pairs(front, max_quads));
+        orbits += static_cast<int>(found.size());
+        if (found.empty()) break;
+        front = found[random.below(found.size())].made;
+      }
+    }
+  EXPECT_GT(orbits, 500);
+  EXPECT_GT(own, 50);
+}
+
+TEST(SymmetricStates, AreThoseOfIsomorphicFronts) {
+  support::Random random(72);
+  std::set<SymmetricState> states;
+  for (const Quadrangulation& q : boundaries(12))
+    for (const flips::Involution& involution : flips::involutions_of(q)) {
+      SymmetricFront front{{q, flips::relation_of_quads(q)}, involution.image};
+      for (int step = 0; step < 3; ++step) {
+        const auto canonical = flips::canonical_state(front);
+        states.insert(canonical.state);
+        const SymmetricFront again = flips::front_of(canonical.state);
+        EXPECT_EQ(flips::canonical_state(again).state, canonical.state);
+        // The labelling is the isomorphism.
+        const int vertices = q.vertices();
+        for (int v = 0; v < std::min(vertices, front.front.boundary.vertices()); ++v)
+          EXPECT_EQ(again.image[canonical.label[static_cast<std::size_t>(v)]],
+                    canonical.label[front.image[static_cast<std::size_t>(v)]]);
+        std::vector<flips::GluedOrbit> found;
+        flips::for_each_glueable_orbit(
+            front, 20, [&](const flips::GluedOrbit& orbit) { found.push_back(orbit); });
+        if (found.empty()) break;
+        front = found[random.below(found.size())].made;
+      }
+    }
+  EXPECT_GT(states.size(), 50U);
+}
+
+/// All states with so many hexahedra, by closure; each at the least number it is reached with.
+std::map<SymmetricState, int> closure(const SymmetricFront& start, int max_quads, int hexahedra) {
+  std::map<SymmetricState, int> least{{flips::canonical_state(start).state, 0}};
+  for (int h = 0; h < hexahedra; ++h)
+    for (const auto& [state, level] : std::map(least)) {
+      if (level != h) continue;
+      flips::for_each_glueable_orbit(
+          flips::front_of(state), max_quads, [&](const flips::GluedOrbit& orbit) {
+            const int after = h + orbit.orbit.size;
+            if (after > hexahedra) return;
+            int& known =
+                least.emplace(flips::canonical_state(orbit.made).state, after).first->second;
+            known = std::min(known, after);
+          });
+    }
+  return least;
+}
+
+TEST(SymmetricBeam, WithoutLimitsSeesAllThatOrbitsReach) {
+  for (const char* text : {"q1:088a577f", "q1:022972977f", "q1:08a5df"}) {
+    const auto q = canon::decode(canon::from_text(text).value()).value();
+    for (const flips::Involution& involution : flips::involutions_of(q)) {
+      const SymmetricFront start{{q, flips::relation_of_quads(q)}, involution.image};
+      for (const int threads : {1, 3}) {
+        flips::BeamOptions options;
+        options.max_quads = 16;
+        options.fronts_per_class = options.fronts_per_level = 1'000'000;
+        options.threads = threads;
+        flips::SymmetricBeam beam(start, options);
+        std::map<SymmetricState, int> seen;
+        for (bool has_more = true; has_more && beam.level() <= 6; has_more = beam.expand_level())
+          for (const auto& node : beam.nodes()) {
+            EXPECT_TRUE(seen.emplace(node.state, beam.level()).second);
+            EXPECT_EQ(static_cast<int>(beam.layers_to(node).hexahedra.size()), beam.level());
+          }
+        EXPECT_TRUE(beam.is_exhaustive());
+        EXPECT_EQ(seen, closure(start, options.max_quads, 6)) << text;
+      }
+    }
+  }
+}
+
+TEST(SymmetricBeam, KeepsItsLimits) {
+  const auto q = canon::decode(canon::from_text("q1:088a577f").value()).value();
+  const SymmetricFront start{{q, flips::relation_of_quads(q)}, flips::involutions_of(q)[0].image};
+  const auto run = [&](std::size_t per_class, std::size_t per_level, int threads) {
+    flips::BeamOptions options;
+    options.max_quads = 20;
+    options.fronts_per_class = per_class;
+    options.fronts_per_level = per_level;
+    options.threads = threads;
+    flips::SymmetricBeam beam(start, options);
+    std::vector<SymmetricState> states;
+    while (beam.level() < 12 && beam.expand_level())
+      for (const auto& node : beam.nodes()) states.push_back(node.state);
+    EXPECT_EQ(beam.is_exhaustive(), per_class > 1'000) << "limits that bite, and others";
+    return states;
+  };
+  const auto some = run(2, 10, 1);
+  EXPECT_EQ(some, run(2, 10, 3));
+  EXPECT_LT(some.size(), run(2, 100, 2).size());
+  EXPECT_LT(run(1, 100'000, 2).size(), run(10'000, 100'000, 2).size());
+}
+
+}  // namespace
