@@ -239,9 +239,10 @@ const canon::Code* TableSearch::next_largest() {
 void TableSearch::symmetric_step() {
   const canon::Code* code = next_largest();
   if (code == nullptr) return begin(Phase::collars, options_.collared);
-  const flips::MeetingOptions options{.collars = options_.symmetric,
-                                      .max_collar = options_.max_symmetric,
-                                      .below = hexahedra(*code)};
+  flips::MeetingOptions options{.collars = options_.symmetric,
+                                .max_collar = options_.max_symmetric,
+                                .below = hexahedra(*code)};
+  options.collars.seed = seed_for(*code);  // others in each round
   if (auto filling = flips::best_symmetric_meeting(flips::BeamBalls(balls_), *code, options))
     adopt(*code, in_order(*code, {std::move(filling->mesh), flips::FrontOrigin::met}));
 }
