@@ -310,7 +310,8 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
            "How much such collars with few quads inside are preferred: a quad counts as so many of "
            "the pairs of vertices that a collar relates");
   }
-  effort("--memory", options->memory_gib, 1, 4096, "GiB that the balls may take, about");
+  effort("--memory", options->memory_gib, 1, 4096,
+         "GiB that the balls may take, about, and once more what is grown inwards to meet them");
   add_seed(*build, search.balls.seed);
   add_threads(*build, options->threads);
   build->footer(

@@ -48,9 +48,12 @@ std::vector<canon::Code> boundaries(const TableBuildOptions& options) {
 
 build::SearchOptions search_options(const TableBuildOptions& options) {
   constexpr std::size_t kBytesPerFront = 140;  // itself, its share of the tables, and slack
+  constexpr std::size_t kBytesPerSymmetricFront = 400;
   build::SearchOptions search = options.search;
   search.balls.threads = parallel::threads_or_all(options.threads);
-  search.balls.max_fronts = (static_cast<std::size_t>(options.memory_gib) << 30U) / kBytesPerFront;
+  const std::size_t bytes = static_cast<std::size_t>(options.memory_gib) << 30U;
+  search.balls.max_fronts = search.collars.max_fronts = bytes / kBytesPerFront;
+  search.symmetric.max_fronts = bytes / kBytesPerSymmetricFront;
   return search;
 }
 

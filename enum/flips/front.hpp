@@ -69,23 +69,26 @@ struct Glued {
 /// may_glue(): a test of most of the 16 sets at once. Cost: that of one or two may_glue().
 [[nodiscard]] std::uint16_t possible_sides(const Front& front, complex::Quad bottom) noexcept;
 
+/// The part of for_each_glueable() with this bottom.
+template <class Visit>
+void for_each_glueable_on(const Front& front, complex::Quad bottom, int max_quads, Visit&& visit) {
+  for (unsigned left = possible_sides(front, bottom); left != 0; left &= left - 1) {
+    const Flip flip{bottom, static_cast<std::uint8_t>(std::countr_zero(left))};
+    const int after = front.boundary.quads() + 6 - 2 * flip.consumed();
+    if (after < 6 || after > max_quads) continue;
+    const std::optional<Prism> prism = prism_of(front.boundary, flip);
+    if (!prism || !may_glue(front, flip, *prism)) continue;
+    if (is_preferred(front.boundary, flip)) visit(flip, *prism);
+  }
+}
+
 /// Calls visit(flip, prism) for each hexahedron that may be glued on so that the boundary has
 /// at least 6 and at most `max_quads` quads; once per patch, in increasing order of
 /// (bottom, sides). Requires max_quads <= kMaxFrontQuads.
 template <class Visit>
 void for_each_glueable(const Front& front, int max_quads, Visit&& visit) {
-  const int quads = front.boundary.quads();
-  for (int bottom = 0; bottom < quads; ++bottom)
-    for (unsigned left = possible_sides(front, static_cast<complex::Quad>(bottom)); left != 0;
-         left &= left - 1) {
-      const auto sides = static_cast<std::uint8_t>(std::countr_zero(left));
-      const Flip flip{static_cast<complex::Quad>(bottom), sides};
-      const int after = quads + 6 - 2 * flip.consumed();
-      if (after < 6 || after > max_quads) continue;
-      const std::optional<Prism> prism = prism_of(front.boundary, flip);
-      if (!prism || !may_glue(front, flip, *prism)) continue;
-      if (is_preferred(front.boundary, flip)) visit(flip, *prism);
-    }
+  for (int bottom = 0; bottom < front.boundary.quads(); ++bottom)
+    for_each_glueable_on(front, static_cast<complex::Quad>(bottom), max_quads, visit);
 }
 
 /// A ball built hexahedron by hexahedron, each glued on a patch of the boundary: a shelling.

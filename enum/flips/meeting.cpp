@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "enum/cells/cube.hpp"
 #include "enum/core/checks.hpp"
@@ -31,20 +32,17 @@ SymmetricCavities cavities_of(const SymmetricBeam& collars) {
   for (std::size_t i = 0; i < collars.nodes().size(); ++i) {
     const SymmetricState& state = collars.nodes()[i].state;
     if (state.code.quads > kMaxStateQuads) continue;
-    result.cavities.push_back(
-        {{state.code, state.scars.of_fewer<kMaxStateQuads>()}, collars.level()});
+    result.cavities.push_back({{state.code, state.scars.as<kMaxStateQuads>()}, collars.level()});
     result.node.push_back(i);
   }
   return result;
 }
 
 std::optional<Filling> symmetric_meeting(const BallSource& balls, const SymmetricFront& start,
-                                         const MeetingOptions& options) {
+                                         const MeetingOptions& options, Matcher& matcher) {
   SymmetricBeam collars(start, options.collars);
-  Matcher matcher(balls, options.below, options.collars.threads);
   std::optional<Filling> best;
-  for (bool has_more = true; has_more && collars.level() <= options.max_collar;
-       has_more = collars.expand_level()) {
+  for (bool has_more = true; has_more; has_more = collars.expand_level()) {
     if (collars.level() + 1 >= matcher.below() || (options.first && best)) break;
     const SymmetricCavities here = cavities_of(collars);
     if (const auto meeting = matcher.match(here.cavities))
@@ -119,15 +117,13 @@ std::optional<Filling> best_symmetric_meeting(const BallSource& balls, const can
   const auto boundary = canon::decode(target);
   core::expects(boundary && boundary->is_three_connected(),
                 "only a 3-connected boundary has a filling");
+  const auto apart = options.apart.as<kMaxSymmetricQuads>();
+  Matcher matcher(balls, options.below, options.collars.threads);
   std::optional<Filling> best;
-  MeetingOptions left = options;
   for (const Involution& involution : involutions_of(*boundary)) {
-    if (options.apart.renamed(involution.image) != options.apart) continue;
-    const SymmetricFront start{front_with(*boundary, options.apart), involution.image};
-    auto filling = symmetric_meeting(balls, start, left);
-    if (!filling) continue;
-    best = std::move(filling);
-    left.below = static_cast<int>(best->mesh.hexahedra.size());
+    if (apart.renamed(involution.image) != apart) continue;
+    const SymmetricFront start{front_with(*boundary, apart), involution.image};
+    if (auto filling = symmetric_meeting(balls, start, options, matcher)) best = std::move(filling);
   }
   return best;
 }

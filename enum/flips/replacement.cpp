@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "enum/cells/cube.hpp"
+#include "enum/complex/facets.hpp"
 #include "enum/core/checks.hpp"
 #include "enum/core/random.hpp"
 
@@ -166,6 +167,24 @@ std::optional<HexComplex> smaller_by_replacement(const HexComplex& mesh, int qua
 std::optional<HexComplex> in_shelling_order(const HexComplex& mesh, int tries, std::uint64_t seed) {
   Random random(seed);
   return in_shelling_order(WorkedMesh{mesh}, tries, random);
+}
+
+int widest_boundary(const HexComplex& mesh) {
+  const std::vector<complex::Facet> facets = complex::sorted_facets(mesh);
+  std::vector<int> consumed(mesh.hexahedra.size(), 0);  // quads that taking it off consumes
+  int quads = 0;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const bool is_inner = i + 1 < facets.size() && facets[i].key == facets[i + 1].key;
+    if (!is_inner) ++quads;
+    if (is_inner) ++i;  // on the boundary once the first of the two has been taken off
+    ++consumed[facets[i].cell];
+  }
+  int widest = quads;
+  for (std::size_t cell = 0; cell + 1 < consumed.size(); ++cell) {
+    quads += 6 - 2 * consumed[cell];
+    widest = std::max(widest, quads);
+  }
+  return widest;
 }
 
 FrontId add_ball(Beam& balls, const HexComplex& mesh, FrontOrigin origin) {

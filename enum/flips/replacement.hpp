@@ -49,9 +49,13 @@ struct ReplacementOptions {
 [[nodiscard]] std::optional<complex::HexComplex> in_shelling_order(const complex::HexComplex& mesh,
                                                                    int tries, std::uint64_t seed);
 
+/// The greatest number of quads of the boundaries that the mesh has while its hexahedra are taken
+/// off in the order given. Cost: linear.
+[[nodiscard]] int widest_boundary(const complex::HexComplex& mesh);
+
 /// Adds the ball to a beam that grew from the single hexahedron, with all balls on the way to it.
-/// `mesh` as above: its hexahedra can be taken off in the order given. Returns the state of the
-/// whole ball or one that dominates it.
+/// `mesh` as above: its hexahedra can be taken off in the order given, all boundaries having at
+/// most kMaxStateQuads quads. Returns the state of the whole ball or one that dominates it.
 FrontId add_ball(Beam& balls, const complex::HexComplex& mesh, FrontOrigin origin);
 
 }  // namespace hexatlas::flips

@@ -4,6 +4,7 @@
 /// boundary quad. With the canonical code of the boundary they are all that decides what may be
 /// glued on (docs/theory/proofs/front.md), so a state of a search is a code and its scars.
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -53,11 +54,13 @@ class ScarSet {
   /// The scars after renaming the vertices.
   [[nodiscard]] ScarSet renamed(const canon::Labelling& label) const noexcept;
   [[nodiscard]] std::uint64_t hash(std::uint64_t seed) const noexcept;
-  /// The same pairs, of the vertices of a boundary with at most kFewer quads.
-  template <int kFewer>
-  [[nodiscard]] ScarSet<kFewer> of_fewer() const noexcept {
-    ScarSet<kFewer> result;
-    for (std::size_t i = 0; i < result.words_.size(); ++i) result.words_[i] = words_[i];
+  /// The same pairs in a set for other boundaries. Requires that they are pairs of vertices of a
+  /// boundary with at most kOther quads.
+  template <int kOther>
+  [[nodiscard]] ScarSet<kOther> as() const noexcept {
+    ScarSet<kOther> result;
+    std::copy_n(words_.begin(), std::min(words_.size(), result.words_.size()),
+                result.words_.begin());
     return result;
   }
 
@@ -92,7 +95,7 @@ template <class Set = Scars>
   return scars;
 }
 
-/// The front with this boundary and these scars.
+/// The front with this boundary and these scars. Requires a set for boundaries as large.
 template <class Set>
 [[nodiscard]] Front front_with(const complex::Quadrangulation& boundary, const Set& scars) {
   Front front{.boundary = boundary, .related = relation_of_quads(boundary)};

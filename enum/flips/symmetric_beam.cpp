@@ -1,8 +1,6 @@
 #include "enum/flips/symmetric_beam.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -18,7 +16,7 @@ constexpr std::uint32_t kChunksPerBatch = 64;
 
 /// What states of one class have in common.
 std::uint64_t class_of(const SymmetricState& state) {
-  return SymmetricState{state.code, {}, state.image}.hash(0);
+  return SymmetricState{state.code, state.image, {}}.hash(0);
 }
 
 }  // namespace

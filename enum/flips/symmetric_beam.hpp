@@ -7,8 +7,10 @@
 /// states that come from each of the two before it. Of one level all states are there to be looked
 /// at, then some are chosen and expanded: in each class (boundary and involution) those with the
 /// fewest scars first, and the first ones of all classes before the second ones, as in beam.hpp.
-/// If neither limit was hit, the search was exhaustive: it saw every symmetric collar that orbits
-/// can build with so many hexahedra while its boundaries have at most max_quads quads.
+/// If no limit was hit, the search was exhaustive: it saw the state of every symmetric collar that
+/// orbits build while boundaries have at most max_quads quads after each orbit, with the least
+/// number of hexahedra that leads to it.
+/// Memory: about 240 bytes for each state of the two levels ahead and each one expanded.
 
 #include <array>
 #include <cstddef>
@@ -31,7 +33,7 @@ class SymmetricBeam {
 
   /// Level 0 is the start alone. Requires options within their ranges, max_quads at most
   /// kMaxSymmetricQuads, and a symmetric front with a 3-connected boundary.
-  /// Of the options use_dominance does nothing here.
+  /// Of the options use_dominance does nothing here; max_fronts counts states in memory.
   SymmetricBeam(const SymmetricFront& start, const BeamOptions& options);
 
   [[nodiscard]] int level() const noexcept { return level_; }
@@ -43,7 +45,8 @@ class SymmetricBeam {
   /// Whether no limit was hit.
   [[nodiscard]] bool is_exhaustive() const noexcept { return !is_truncated_; }
 
-  /// The hexahedra on the way from the start to a node of this level.
+  /// The hexahedra on the way from the start to a node of this level. Some numbers of vertices are
+  /// left out.
   [[nodiscard]] Layers layers_to(const Node& node) const;
 
  private:

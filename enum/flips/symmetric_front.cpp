@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
-#include <tuple>
+#include <utility>
 
 #include "enum/cells/cube_symmetries.hpp"
 #include "enum/core/checks.hpp"
@@ -18,6 +18,7 @@ using QuadSet = std::uint64_t;
 
 constexpr OrbitVertex kUnknown = 0xFF;
 constexpr std::size_t kNames = complex::kMaxVertices + kNewPerOrbit;
+using Names = std::array<OrbitVertex, kNames>;  ///< something of each name
 
 /// A front whose vertices have names: those of the front before the orbit, and of new vertices.
 struct Named {
@@ -101,9 +102,11 @@ class Gluer {
         ((patch & image) != 0 || std::countr_zero(patch) > std::countr_zero(image)))
       return;
     const Cell cell = named_cell(start_, prism, old_vertices());
-    const Named next = after_gluing(start_, flip, prism, cell);
-    if (is_own_image) return finish({{flip, {}}, 1}, next, {cell, cell});
-    glue_image(flip, next, cell);
+    if (!is_own_image) return glue_image(flip, after_gluing(start_, flip, prism, cell), cell);
+    const int after = from_.front.boundary.quads() + 6 - 2 * flip.consumed();
+    const auto own = extension(cell, cell);
+    if (own && after <= max_quads_)
+      finish({{flip, {}}, 1}, after_gluing(start_, flip, prism, cell), {cell, cell}, *own);
   }
 
   /// Looks for the image among the hexahedra that may be glued on next: all its vertices are images
@@ -120,22 +123,25 @@ class Gluer {
       if (!std::all_of(corners.begin(), corners.end(),
                        [&](Vertex v) { return may_have[next.name[v]]; }))
         continue;
-      for (unsigned left = possible_sides(next.front, static_cast<complex::Quad>(bottom));
-           left != 0; left &= left - 1) {
-        const Flip flip{static_cast<complex::Quad>(bottom),
-                        static_cast<std::uint8_t>(std::countr_zero(left))};
-        const auto prism = prism_of(q, flip);
-        if (!prism || !may_glue(next.front, flip, *prism) || !is_preferred(q, flip)) continue;
-        const Cell other = named_cell(next, *prism, old_vertices() + 4);
-        if (q.quads() + 6 - 2 * flip.consumed() >= 6)
-          finish({{first, flip}, 2}, after_gluing(next, flip, *prism, other), {cell, other});
-      }
+      for_each_glueable_on(next.front, static_cast<complex::Quad>(bottom), max_quads_,
+                           [&](Flip flip, const Prism& prism) {
+                             const Cell other = named_cell(next, prism, old_vertices() + 4);
+                             if (const auto image = extension(cell, other))
+                               finish({{first, flip}, 2}, after_gluing(next, flip, prism, other),
+                                      {cell, other}, *image);
+                           });
     }
   }
 
-  /// The images of all names if the involution takes `cell` to `other`, corner by corner.
-  [[nodiscard]] bool extend(const Cell& cell, const Cell& other, const cells::CornerMap& turn,
-                            std::array<OrbitVertex, kNames>& image) const {
+  /// The images of all names if the involution extends to one that takes `cell` to `other`.
+  [[nodiscard]] std::optional<Names> extension(const Cell& cell, const Cell& other) const {
+    Names image{};
+    for (const cells::CornerMap& turn : cells::kCubeTables.corner)
+      if (extends(cell, other, turn, image)) return image;
+    return std::nullopt;
+  }
+  [[nodiscard]] bool extends(const Cell& cell, const Cell& other, const cells::CornerMap& turn,
+                             Names& image) const {
     for (std::size_t c = 0; c < cell.size(); ++c)
       if (is_old(cell[c]) ? other[turn[c]] != from_.image[cell[c]] : is_old(other[turn[c]]))
         return false;
@@ -152,25 +158,20 @@ class Gluer {
     return true;
   }
 
-  /// Visits the orbit if the involution takes the first hexahedron to the second.
-  void finish(const Orbit& orbit, const Named& last, const std::array<Cell, 2>& cell) const {
+  void finish(const Orbit& orbit, const Named& last, const std::array<Cell, 2>& cell,
+              const Names& image) const {
     const int vertices = last.front.boundary.vertices();
-    if (last.front.boundary.quads() > max_quads_) return;
-    std::array<OrbitVertex, kNames> image{};
-    for (const cells::CornerMap& turn : cells::kCubeTables.corner) {
-      if (!extend(cell[0], cell[1], turn, image)) continue;
-      std::array<OrbitVertex, kNames> place{};
-      place.fill(kUnknown);
-      for (int v = 0; v < vertices; ++v)
-        place[last.name[static_cast<std::size_t>(v)]] = static_cast<OrbitVertex>(v);
-      GluedOrbit result{orbit, {last.front}, last.name, cell};
-      for (std::size_t v = 0; v < static_cast<std::size_t>(vertices); ++v) {
-        result.made.image[v] = place[image[last.name[v]]];
-        core::check_law([&] { return result.made.image[v] != kUnknown; },
-                        "the image of a boundary vertex is on the boundary");
-      }
-      return visit_(result);
+    Names place{};
+    place.fill(kUnknown);
+    for (int v = 0; v < vertices; ++v)
+      place[last.name[static_cast<std::size_t>(v)]] = static_cast<OrbitVertex>(v);
+    GluedOrbit result{orbit, {last.front}, last.name, cell};
+    for (std::size_t v = 0; v < static_cast<std::size_t>(vertices); ++v) {
+      result.made.image[v] = place[image[last.name[v]]];
+      core::check_law([&] { return result.made.image[v] != kUnknown; },
+                      "the image of a boundary vertex is on the boundary");
     }
+    visit_(result);
   }
 
   const SymmetricFront& from_;

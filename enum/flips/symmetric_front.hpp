@@ -62,9 +62,10 @@ struct GluedOrbit {
   std::array<std::array<OrbitVertex, cells::kCubeVertices>, 2> cell{};
 };
 
-/// Calls visit(glued) for each orbit that may be glued on so that the boundary has at least 6 and
-/// at most `max_quads` quads, once, in a fixed order. Requires that the front is symmetric, its
-/// boundary 3-connected, and max_quads <= kMaxSymmetricQuads. Cost: some microseconds per orbit.
+/// Calls visit(glued) for each orbit that may be glued on so that the boundary then has at least 6
+/// and at most `max_quads` quads (between its two hexahedra at most four more), once, in a fixed
+/// order. Requires that the front is symmetric, its boundary 3-connected, and max_quads <=
+/// kMaxSymmetricQuads. Cost: some microseconds per orbit.
 void for_each_glueable_orbit(const SymmetricFront& front, int max_quads,
                              const std::function<void(const GluedOrbit&)>& visit);
 
@@ -75,14 +76,15 @@ void for_each_glueable_orbit(const SymmetricFront& front, int max_quads,
 struct SymmetricState {
   using Scars = ScarSet<kMaxSymmetricQuads>;
   canon::Code code;
-  Scars scars;
   std::array<complex::Vertex, kMaxSymmetricQuads + 2> image{};
+  Scars scars;
   [[nodiscard]] std::uint64_t hash(std::uint64_t seed) const noexcept;
   friend auto operator<=>(const SymmetricState&, const SymmetricState&) = default;
 };
 
 /// The state of a front, with the labelling that yields it: of all labellings that attain the code,
-/// the one with the least scars and image. Requires at most kMaxSymmetricQuads quads.
+/// the one with the least image, and of these with the least scars. Requires at most
+/// kMaxSymmetricQuads quads.
 struct CanonicalSymmetricState {
   SymmetricState state;
   canon::Labelling label{};

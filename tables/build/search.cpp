@@ -85,10 +85,14 @@ void TableSearch::step() {
 void TableSearch::begin(Phase phase, std::size_t largest) {
   phase_ = phase;
   position_ = 0;
-  std::vector<int> sizes;
-  for (const canon::Code& code : targets_)
-    if (is_for(phase, code)) sizes.push_back(hexahedra(code));
-  std::sort(sizes.rbegin(), sizes.rend());
+  std::vector<std::pair<int, const canon::Code*>> by_size;
+  for (const canon::Code& code : targets_) by_size.emplace_back(hexahedra(code), &code);
+  std::sort(by_size.rbegin(), by_size.rend());
+  std::vector<int> sizes;  // of those that the phase is for, one more than wanted
+  for (const auto& [size, code] : by_size) {
+    if (sizes.size() > largest) break;
+    if (is_for(phase, *code)) sizes.push_back(size);
+  }
   const std::size_t count = std::min(largest, sizes.size());
   taken_from_ = count == 0 ? kNone + 1 : sizes[count - 1];
   // Ties would make more of them than asked for.
@@ -172,6 +176,7 @@ std::optional<TableSearch::Found> TableSearch::cut(const canon::Code& code) cons
 
 /// The same mesh, in the order of a shelling if one was found.
 TableSearch::Found TableSearch::in_order(const canon::Code& code, Found found) const {
+  if (found.is_shelled) return found;
   auto shelled = flips::in_shelling_order(found.mesh, kShellings, seed_for(code));
   if (shelled) found = {*std::move(shelled), found.origin, true};
   return found;
@@ -243,8 +248,10 @@ void TableSearch::symmetric_step() {
                                 .max_collar = options_.max_symmetric,
                                 .below = hexahedra(*code)};
   options.collars.seed = seed_for(*code);  // others in each round
-  if (auto filling = flips::best_symmetric_meeting(flips::BeamBalls(balls_), *code, options))
-    adopt(*code, in_order(*code, {std::move(filling->mesh), flips::FrontOrigin::met}));
+  auto filling = flips::best_symmetric_meeting(flips::BeamBalls(balls_), *code, options);
+  if (!filling) return;
+  const bool is_shelled = flips::widest_boundary(filling->mesh) <= flips::kMaxStateQuads;
+  adopt(*code, in_order(*code, {std::move(filling->mesh), flips::FrontOrigin::met, is_shelled}));
 }
 
 void TableSearch::collar_step() {

@@ -196,4 +196,17 @@ TEST(AddBall, IsExpandedInTheNextSweep) {
   }
 }
 
+TEST(WidestBoundary, IsThatOfTheSetsThatAreLeft) {
+  support::Random random(29);
+  for (int i = 0; i < 20; ++i) {
+    const auto shelling = support::random_shelling(4 + random.below(20), 40, random);
+    auto cells = support::cells_of(shelling);
+    std::reverse(cells.begin(), cells.end());
+    std::size_t widest = 0;
+    for (auto left = cells; !left.empty(); left.erase(left.begin()))
+      widest = std::max(widest, oracle::boundary(left).size());
+    EXPECT_EQ(flips::widest_boundary(support::mesh_of(cells)), static_cast<int>(widest));
+  }
+}
+
 }  // namespace

@@ -235,30 +235,78 @@ TEST(Orbits, AreThePairsOfFlipsThatTheInvolutionExchanges) {
   EXPECT_GT(own, 50);
 }
 
+/// The same front with its vertices, its quads and their corners in another order.
+SymmetricFront scrambled(const SymmetricFront& front, bool mirrored, support::Random& random,
+                         std::vector<Vertex>& name) {
+  const Quadrangulation& q = front.front.boundary;
+  name.resize(static_cast<std::size_t>(q.vertices()));
+  std::iota(name.begin(), name.end(), Vertex{0});
+  random.shuffle(name);
+  auto quads = q.list_of_quads();
+  for (auto& quad : quads) {
+    for (auto& v : quad) v = name[v];
+    if (mirrored) std::reverse(quad.begin(), quad.end());
+    std::rotate(quad.begin(), quad.begin() + static_cast<std::ptrdiff_t>(random.below(4)),
+                quad.end());
+  }
+  random.shuffle(quads);
+  SymmetricFront result{{Quadrangulation::from_quads(quads).value(), {}}, {}};
+  for (std::size_t v = 0; v < name.size(); ++v) {
+    result.image[name[v]] = name[front.image[v]];
+    for (std::size_t w = 0; w < name.size(); ++w)
+      if ((front.front.related[v] >> w & 1U) != 0)
+        result.front.related[name[v]] |= flips::bit(name[w]);
+  }
+  return result;
+}
+
+/// The labelling takes the front to that of its state.
+void expect_isomorphism(const SymmetricFront& front) {
+  const auto canonical = flips::canonical_state(front);
+  const SymmetricFront there = flips::front_of(canonical.state);
+  const auto vertices = static_cast<std::size_t>(front.front.boundary.vertices());
+  ASSERT_EQ(there.front.boundary.vertices(), front.front.boundary.vertices());
+  for (std::size_t v = 0; v < vertices; ++v) {
+    EXPECT_EQ(there.image[canonical.label[v]], canonical.label[front.image[v]]);
+    for (std::size_t w = 0; w < vertices; ++w)
+      EXPECT_EQ(there.front.related[canonical.label[v]] >> canonical.label[w] & 1U,
+                front.front.related[v] >> w & 1U);
+  }
+  std::set<oracle::Cycle> quads;
+  for (const auto& quad : there.front.boundary.list_of_quads()) quads.insert(support::cycle(quad));
+  for (auto quad : front.front.boundary.list_of_quads()) {
+    for (Vertex& v : quad) v = canonical.label[v];
+    if (canonical.is_mirrored) std::reverse(quad.begin(), quad.end());
+    EXPECT_TRUE(quads.contains(support::cycle(quad)));
+  }
+}
+
 TEST(SymmetricStates, AreThoseOfIsomorphicFronts) {
   support::Random random(72);
   std::set<SymmetricState> states;
+  std::size_t widest = 0;
   for (const Quadrangulation& q : boundaries(12))
     for (const flips::Involution& involution : flips::involutions_of(q)) {
       SymmetricFront front{{q, flips::relation_of_quads(q)}, involution.image};
-      for (int step = 0; step < 3; ++step) {
+      for (int step = 0; step < 12; ++step) {
+        expect_isomorphism(front);
         const auto canonical = flips::canonical_state(front);
         states.insert(canonical.state);
-        const SymmetricFront again = flips::front_of(canonical.state);
-        EXPECT_EQ(flips::canonical_state(again).state, canonical.state);
-        // The labelling is the isomorphism.
-        const int vertices = q.vertices();
-        for (int v = 0; v < std::min(vertices, front.front.boundary.vertices()); ++v)
-          EXPECT_EQ(again.image[canonical.label[static_cast<std::size_t>(v)]],
-                    canonical.label[front.image[static_cast<std::size_t>(v)]]);
+        widest = std::max(widest, std::size_t{canonical.state.code.quads});
+        std::vector<Vertex> name;
+        for (const bool mirrored : {false, true})
+          EXPECT_EQ(flips::canonical_state(scrambled(front, mirrored, random, name)).state,
+                    canonical.state);
         std::vector<flips::GluedOrbit> found;
         flips::for_each_glueable_orbit(
-            front, 20, [&](const flips::GluedOrbit& orbit) { found.push_back(orbit); });
+            front, flips::kMaxSymmetricQuads,
+            [&](const flips::GluedOrbit& orbit) { found.push_back(orbit); });
         if (found.empty()) break;
         front = found[random.below(found.size())].made;
       }
     }
-  EXPECT_GT(states.size(), 50U);
+  EXPECT_GT(states.size(), 150U);
+  EXPECT_EQ(widest, std::size_t{flips::kMaxSymmetricQuads});
 }
 
 /// All states with so many hexahedra, by closure; each at the least number it is reached with.
@@ -303,26 +351,56 @@ TEST(SymmetricBeam, WithoutLimitsSeesAllThatOrbitsReach) {
   }
 }
 
-TEST(SymmetricBeam, KeepsItsLimits) {
+flips::SymmetricBeam spindle_beam(const flips::BeamOptions& options) {
   const auto q = canon::decode(canon::from_text("q1:088a577f").value()).value();
-  const SymmetricFront start{{q, flips::relation_of_quads(q)}, flips::involutions_of(q)[0].image};
-  const auto run = [&](std::size_t per_class, std::size_t per_level, int threads) {
-    flips::BeamOptions options;
-    options.max_quads = 20;
-    options.fronts_per_class = per_class;
-    options.fronts_per_level = per_level;
-    options.threads = threads;
-    flips::SymmetricBeam beam(start, options);
-    std::vector<SymmetricState> states;
-    while (beam.level() < 12 && beam.expand_level())
-      for (const auto& node : beam.nodes()) states.push_back(node.state);
+  return {{{q, flips::relation_of_quads(q)}, flips::involutions_of(q)[0].image}, options};
+}
+
+flips::BeamOptions limits(std::size_t per_class, std::size_t per_level, int threads) {
+  flips::BeamOptions options;
+  options.max_quads = 28;
+  options.fronts_per_class = per_class;
+  options.fronts_per_level = per_level;
+  options.threads = threads;
+  return options;
+}
+
+TEST(SymmetricBeam, KeepsItsLimits) {
+  const auto states = [](std::size_t per_class, std::size_t per_level) {
+    flips::SymmetricBeam beam = spindle_beam(limits(per_class, per_level, 2));
+    std::size_t count = 0;
+    while (beam.level() < 10 && beam.expand_level()) count += beam.nodes().size();
     EXPECT_EQ(beam.is_exhaustive(), per_class > 1'000) << "limits that bite, and others";
-    return states;
+    return count;
   };
-  const auto some = run(2, 10, 1);
-  EXPECT_EQ(some, run(2, 10, 3));
-  EXPECT_LT(some.size(), run(2, 100, 2).size());
-  EXPECT_LT(run(1, 100'000, 2).size(), run(10'000, 100'000, 2).size());
+  EXPECT_LT(states(2, 10), states(2, 100));
+  EXPECT_LT(states(1, 100'000), states(10'000, 100'000));
+  flips::BeamOptions small = limits(1'000, 1'000, 1);
+  small.max_fronts = 500;
+  flips::SymmetricBeam beam = spindle_beam(small);
+  std::size_t most = 0;
+  for (int level = 0; level < 20 && beam.expand_level(); ++level)
+    most = std::max(most, beam.nodes().size());
+  EXPECT_FALSE(beam.is_exhaustive());
+  EXPECT_LE(most, small.max_fronts);
+  EXPECT_GT(most, small.max_fronts / 10);
+}
+
+TEST(SymmetricBeam, IsTheSameForAnyNumberOfThreads) {
+  flips::SymmetricBeam one = spindle_beam(limits(3, 400, 1));
+  flips::SymmetricBeam three = spindle_beam(limits(3, 400, 3));
+  std::size_t most = 0;
+  while (one.level() < 14 && one.expand_level()) {
+    ASSERT_TRUE(three.expand_level());
+    ASSERT_EQ(one.nodes().size(), three.nodes().size());
+    most = std::max(most, one.nodes().size());
+    for (std::size_t i = 0; i < one.nodes().size(); ++i) {
+      EXPECT_EQ(one.nodes()[i].state, three.nodes()[i].state);
+      EXPECT_EQ(one.nodes()[i].parent, three.nodes()[i].parent);
+      EXPECT_EQ(one.nodes()[i].orbit, three.nodes()[i].orbit);
+    }
+  }
+  EXPECT_GT(most, 500U) << "work for several threads";
 }
 
 }  // namespace

@@ -55,6 +55,10 @@ build::SearchOptions small(int threads) {
   options.cut = 5;
   options.cuts_each = 2;
   options.cut_growths = 4;
+  options.symmetric.max_quads = 24;
+  options.symmetric.fronts_per_level = 20;
+  options.max_symmetric = 8;
+  options.symmetrized = 3;
   options.collars.fronts_per_level = 60;
   options.max_collar = 3;
   options.collared = 3;
@@ -75,7 +79,7 @@ TEST(TableSearch, FillsWhatItSays) {
     phases.insert(progress.phase);
     search.step();
   }
-  EXPECT_EQ(phases.size(), 8U);
+  EXPECT_EQ(phases.size(), 10U);
   const auto rows = build::table_rows(search);
   EXPECT_EQ(rows.size() + search.without_mesh().size(), codes.size());
   EXPECT_GE(rows.size(), 8U);
