@@ -30,9 +30,40 @@ if [[ "${1:-}" == --search ]]; then
   "$program" table build -o hexatlas-symmetric.hxt --state symmetric.state --start-from deep.state hexatlas-last.hxt \
     "${wide[@]}" --max-hexahedra 1 --growths 0 --collared 0 --symmetric 330 --symmetric-hexahedra 44 \
     --symmetric-width 3000 --symmetric-widest 36
-  "$program" table build -o hexatlas-final.hxt --start-from symmetric.state hexatlas-symmetric.hxt "${wide[@]}" \
+  "$program" table build -o hexatlas-final.hxt --state final.state --start-from symmetric.state hexatlas-symmetric.hxt "${wide[@]}" \
     --max-hexahedra 1 --growths 12 --collared 0 --symmetric 1 --symmetric-hexahedra 52 --symmetric-width 200000 \
     --symmetric-widest 40
+  more=(--width 900000 --per-class 200 --seed 20261124 --rounds 1 --collar-widest 26 --collar-hexahedra 14 "${plain[@]}")
+  "$program" table build -o hexatlas-swept.hxt --state swept.state --start-from final.state hexatlas-final.hxt \
+    "${more[@]}" --cut 0 --max-hexahedra 54 --growths 4 --collared 0
+  "$program" table build -o hexatlas-collared.hxt --state collared.state --start-from swept.state hexatlas-swept.hxt \
+    "${more[@]}" --cut 0 --max-hexahedra 1 --growths 0 --collared 1574 --collar-width 3000
+  "$program" table build -o hexatlas-exchanged.hxt --start-from collared.state hexatlas-collared.hxt \
+    "${more[@]}" --cut 12 --cuts-each 8 --cut-growths 20000 --cut-interior 6 --cut-uphill 8 --max-hexahedra 1 \
+    --growths 0 --collared 0
+  "$program" table build -o hexatlas-twice.hxt --state twice.state --start-from collared.state hexatlas-collared.hxt \
+    "${more[@]}" --cut 0 --max-hexahedra 52 --growths 4 --collared 1500 --collar-width 5000
+  "$program" table build -o hexatlas-long.hxt --state long.state --start-from twice.state hexatlas-exchanged.hxt \
+    "${more[@]}" --cut 1030 --cuts-each 1 --cut-growths 3000 --cut-interior 2 --cut-uphill 6 --max-hexahedra 1 \
+    --growths 0 --collared 0
+  "$program" table build -o hexatlas-end.hxt --state end.state --start-from long.state hexatlas-long.hxt \
+    "${more[@]}" --cut 3 --cuts-each 8 --cut-growths 20000 --cut-interior 6 --cut-uphill 8 --max-hexahedra 54 \
+    --growths 4 --collared 0
+  # 22 quads anew: the trapezohedron; flips within 22 quads; then collars and cuts for what is missing.
+  known=(--width 900000 --per-class 200 --seed 20261124 --rounds 1 --max-hexahedra 1 --growths 0)
+  "$program" table build -o trapezohedron-22.hxt --state 22.state --also q1:0888888888a55555dfffff \
+    --start-from swept.state "${known[@]}" --cut 0 --collared 0 --symmetric 1 --symmetric-hexahedra 56 \
+    --symmetric-width 200000 --symmetric-widest 40
+  "$program" table build -o known-22.hxt --max-quads 22 --start-from 22.state "${known[@]}" --cut 0 --collared 0 "${plain[@]}"
+  "$program" table build -o flips-22.hxt --max-quads 22 --start-from known-22.hxt --width 1500000 --per-class 20 \
+    --widest 22 --seed 20261124 --rounds 1 --max-hexahedra 62 --growths 0 --cut 0 --collared 0 "${plain[@]}"
+  "$program" table build -o collared-22.hxt --state collared-22.state --max-quads 22 --start-from twice.state \
+    trapezohedron-22.hxt flips-22.hxt "${known[@]}" --cut 0 "${plain[@]}" --collared 1 --collar-hexahedra 6 \
+    --collar-width 100 --collar-widest 24
+  "$program" table build -o further-22.hxt --state further-22.state --max-quads 22 --start-from collared-22.state \
+    "${known[@]}" --cut 0 "${plain[@]}" --collared 15480 --collar-hexahedra 9 --collar-width 800 --collar-widest 24
+  "$program" table build -o hexatlas-22-anew.hxt --max-quads 22 --start-from further-22.state "${known[@]}" "${plain[@]}" \
+    --cut 8890 --cuts-each 1 --cut-growths 300 --collared 100 --collar-hexahedra 12 --collar-width 2000 --collar-widest 26
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
