@@ -62,8 +62,17 @@ if [[ "${1:-}" == --search ]]; then
     --collar-width 100 --collar-widest 24
   "$program" table build -o further-22.hxt --state further-22.state --max-quads 22 --start-from collared-22.state \
     "${known[@]}" --cut 0 "${plain[@]}" --collared 15480 --collar-hexahedra 9 --collar-width 800 --collar-widest 24
-  "$program" table build -o hexatlas-22-anew.hxt --max-quads 22 --start-from further-22.state "${known[@]}" "${plain[@]}" \
-    --cut 8890 --cuts-each 1 --cut-growths 300 --collared 100 --collar-hexahedra 12 --collar-width 2000 --collar-widest 26
+  "$program" table build -o cut-22.hxt --state cut-22.state --max-quads 22 --start-from further-22.state "${known[@]}" \
+    "${plain[@]}" --cut 8890 --cuts-each 1 --cut-growths 300 --collared 100 --collar-hexahedra 12 --collar-width 2000 \
+    --collar-widest 26
+  "$program" table build -o largest-22.hxt --state largest-22.state --max-quads 22 --start-from cut-22.state "${known[@]}" \
+    "${plain[@]}" --cut 250 --cuts-each 2 --cut-growths 1000 --cut-interior 2 --cut-uphill 6 --collared 1500 \
+    --collar-hexahedra 10 --collar-width 1000 --collar-widest 26
+  "$program" table build -o one-22.hxt --max-quads 6 --also q1:00888a66977f88a9777fff --start-from largest-22.state \
+    "${known[@]}" --cut 1 --cuts-each 4 --cut-growths 5000 --cut-uphill 6 --symmetric 1 --symmetric-hexahedra 36 \
+    --symmetric-width 3000 --symmetric-widest 36 --collared 1 --collar-hexahedra 18 --collar-width 10000 --collar-widest 28
+  "$program" table build -o hexatlas-22-anew.hxt --max-quads 22 --start-from largest-22.state one-22.hxt "${known[@]}" \
+    "${plain[@]}" --cut 0 --collared 0
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
