@@ -10,6 +10,7 @@ add_executable(hexatlas
   cli/table_check.cpp cli/table_path.cpp cli/table_read.cpp cli/table_write.cpp cli/child_process.cpp cli/command_line_view.cpp
   cli/view.cpp cli/view_page.cpp cli/view_picture.cpp)
 include(${CMAKE_CURRENT_SOURCE_DIR}/cli/view/view.cmake)
+hexatlas_share_units(hexatlas cli/mesh_delaunay.cpp cli/mesh_quads.cpp cli/enum_hexmeshes.cpp cli/enum_quadrangulations.cpp cli/child_process.cpp)
 target_include_directories(hexatlas PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(hexatlas PRIVATE enum_hexes enum_quads meshing_delaunay meshing_hexahedrize meshing_hybrid meshing_io meshing_quality meshing_simplify meshing_view
   realize_solve tables_build tables_check tables_format tables_sheet CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)

@@ -1,9 +1,12 @@
-# hexatlas_layer(enum/flips HEADERS ... [SOURCES ...] [USES enum/core ...] [THIRD_PARTY ...])
+# hexatlas_layer(enum/flips HEADERS ... [SOURCES ... [ALONE ...]] [USES enum/core ...] [THIRD_PARTY ...])
 #
 # One target per layer, named after its folder (enum/flips -> enum_flips). USES is
 # the link line and must be a subset of the layer's row in layers.txt, so that the
-# file a person reads and the build cannot disagree. Headers of a layer are
-# verified to compile alone (target all_verify_interface_header_sets).
+# file a person reads and the build cannot disagree. Headers of a layer compile
+# alone: those with a source of the same name are its first include (check_layers.py),
+# the others are verified by the target all_verify_interface_header_sets.
+# ALONE: sources whose unnamed namespace has a name of another source's; they keep
+# a translation unit of their own where the others share some (HEXATLAS_UNITY).
 
 function(hexatlas_check_uses layer)
   file(STRINGS ${PROJECT_SOURCE_DIR}/docs/architecture/layers.txt rows REGEX "^${layer} *[|]")
@@ -19,15 +22,23 @@ function(hexatlas_check_uses layer)
   endforeach()
 endfunction()
 
+function(hexatlas_share_units target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${HEXATLAS_UNITY} UNITY_BUILD_BATCH_SIZE 8
+    UNITY_BUILD_CODE_BEFORE_INCLUDE "// NOLINTNEXTLINE(bugprone-suspicious-include)")
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 function(hexatlas_layer layer)
-  cmake_parse_arguments(ARG "" "" "HEADERS;SOURCES;USES;THIRD_PARTY" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "HEADERS;SOURCES;ALONE;USES;THIRD_PARTY" ${ARGN})
   hexatlas_check_uses(${layer} ${ARG_USES})
   string(REPLACE "/" "_" target ${layer})
   list(TRANSFORM ARG_USES REPLACE "/" "_")
   list(TRANSFORM ARG_HEADERS PREPEND ${PROJECT_SOURCE_DIR}/${layer}/)
   list(TRANSFORM ARG_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/${layer}/)
+  list(TRANSFORM ARG_ALONE PREPEND ${PROJECT_SOURCE_DIR}/${layer}/)
   if(ARG_SOURCES)
     add_library(${target} STATIC ${ARG_SOURCES})
+    hexatlas_share_units(${target} ${ARG_ALONE})
     set(scope PUBLIC)
     set(door_scope PRIVATE)
   else()
@@ -35,10 +46,16 @@ function(hexatlas_layer layer)
     set(scope INTERFACE)
     set(door_scope INTERFACE)
   endif()
+  set(with_source ${ARG_SOURCES})
+  list(TRANSFORM with_source REPLACE "[.]cpp$" ".hpp")
+  set(without_source ${ARG_HEADERS})
+  list(REMOVE_ITEM without_source ${with_source} "")
   target_sources(${target} ${scope}
-    FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ARG_HEADERS})
+    FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${ARG_HEADERS}
+    FILE_SET without_source TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${without_source})
   target_include_directories(${target} ${scope} ${PROJECT_SOURCE_DIR})
   target_compile_features(${target} ${scope} cxx_std_20)
   target_link_libraries(${target} ${scope} ${ARG_USES} ${door_scope} ${ARG_THIRD_PARTY})
-  set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON)
+  set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON
+    INTERFACE_HEADER_SETS_TO_VERIFY without_source)
 endfunction()

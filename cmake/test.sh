@@ -99,23 +99,34 @@ names_labelled() { # PRESET LABEL
     sed -n 's/^ *Test *#[0-9]*: //; T; s/  # GetParam() = .*//; p' | sort
 }
 
-# The .cpp files of the libraries and the program.
+# The libraries and the program: for `all` the units that build/release compiles, mostly several
+# files at once, since most of the time goes into the headers; otherwise file by file.
 own_sources() { # all|deep|changed
   local folders=(enum realize tables meshing cli)
-  if [[ $1 == changed ]]; then
-    git diff --name-only --diff-filter=d "${HEXATLAS_TIDY_BASE:-HEAD~1}" -- "${folders[@]/%//*.cpp}"
-  else
-    find "${folders[@]}" -name '*.cpp' | sort
-  fi
+  case $1 in
+    all)
+      sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' build/release/compile_commands.json |
+        grep -E "/Unity/unity_|^$PWD/($(IFS='|' && echo "${folders[*]}"))/.*[.]cpp$" | sort
+      ;;
+    deep) find "${folders[@]}" -name '*.cpp' | sort ;;
+    changed)
+      git diff --name-only --diff-filter=d "${HEXATLAS_TIDY_BASE:-HEAD~1}" -- "${folders[@]/%//*.cpp}"
+      ;;
+  esac
 }
 
 tidy() { # all|deep|changed
-  local files checks=()
+  local files checks=() commands=build/release
+  if [[ $1 == all ]]; then
+    checks=(--checks='-clang-analyzer-*')
+  else
+    commands=build/apart
+    cmake --preset release -B build/apart -DHEXATLAS_UNITY=OFF || return 1
+  fi
   files=$(own_sources "$1") || return 1
-  [[ $1 != all ]] || checks=(--checks='-clang-analyzer-*')
   xargs --no-run-if-empty --delimiter='\n' --max-procs="$jobs" --max-args=1 \
     clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option "${checks[@]}" \
-    -p build/release <<<"$files"
+    -p "$commands" <<<"$files"
 }
 
 step packages bash cmake/packages.sh test

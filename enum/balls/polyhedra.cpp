@@ -15,7 +15,6 @@ namespace {
 using complex::bit_of;
 using complex::Cell;
 using complex::CellFacet;
-using complex::VertexSet;
 
 using Facets = std::vector<CellFacet>;
 

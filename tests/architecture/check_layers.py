@@ -4,7 +4,9 @@
 The only source of truth is docs/architecture/layers.txt, which lists layers so
 that each may include only layers above it: the order in the file is the proof
 that the arrows have no cycle. "*" means every layer; no layer may list one that
-has "*", so programs and tests are included by nothing.
+has "*", so programs and tests are included by nothing. A source includes the
+header of its own name first, which shows that the header compiles alone, and
+declares no names of others that it does not use.
 usage: check_layers.py REPOSITORY_ROOT
 """
 import pathlib
@@ -13,6 +15,7 @@ import sys
 
 OURS = re.compile(r'^\s*#\s*include\s*"([^"]+)"')
 SYSTEM = re.compile(r'^\s*#\s*include\s*<([^>]+)>')
+USING = re.compile(r"^\s*(?:using\s+(?:\w+::)+(\w+);|namespace\s+(\w+)\s*=\s*[\w:]+;)", re.M)
 SCRIPT = re.compile(r"""^(?:(?:import|export)\b|\}\s*from\b).*["']([^"'.][^"']*)["'];?\s*$""")
 NEVER = re.compile("(?!)")  # scripts include no layer
 SCRIPTS = {".js", ".mjs"}
@@ -78,10 +81,34 @@ def violations(root, layers):
                         yield f"{name}:{number}: {layer} must not use {library}"
 
 
+def hidden_needs(root, layers):
+    """A header that its source includes first is compiled alone there. What comes before it in the
+    doors of third-party libraries is of these libraries."""
+    for source in (p for p in sources(root, layers) if p.suffix == ".cpp"):
+        own = source.relative_to(root).with_suffix(".hpp").as_posix()
+        if not (root / own).exists():
+            continue
+        first = next((m[1] for m in map(OURS.match, source.read_text().splitlines()) if m), None)
+        if first != own:
+            yield f'{source.relative_to(root).as_posix()}:1: the first file of ours to include is "{own}"'
+
+
+def unused_names(root, layers):
+    """clang-tidy sees these in the file alone that it is called for, not in those compiled with it."""
+    for source in (p for p in sources(root, layers) if p.suffix == ".cpp"):
+        text = source.read_text()
+        for use in USING.finditer(text):
+            name = use[1] or use[2]
+            if len(re.findall(rf"\b{name}\b", text[:use.start()] + text[use.end():])) == 0:
+                line = text.count("\n", 0, use.start(1 if use[1] else 2)) + 1
+                yield f"{source.relative_to(root).as_posix()}:{line}: {name} is declared here and not used"
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
     layers = read_layers(root / "docs/architecture/layers.txt")
-    found = list(disorder(layers)) + list(violations(root, layers))
+    found = list(disorder(layers)) + list(violations(root, layers)) \
+        + list(hidden_needs(root, layers)) + list(unused_names(root, layers))
     if not sources(root, layers):
         found.append(f"layers: no source file below {root}; a gate that sees nothing proves nothing")
     print("\n".join(found) or f"layers: no violation in {len(sources(root, layers))} files")

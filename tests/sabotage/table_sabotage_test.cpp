@@ -161,7 +161,7 @@ TEST(TableSabotage, NoPayloadOfAnotherShapeIsAccepted) {
     damaged("encoding", [](std::string& p) { p[0] = 2; });
     damaged("last byte dropped", [](std::string& p) { p.pop_back(); });
     damaged("last step dropped",
-            [](std::string& p) { p.resize(p.size() - std::min<std::size_t>(2, p.size())); });
+            [](std::string& p) { p.erase(p.size() - std::min<std::size_t>(2, p.size())); });
     damaged("byte added", [](std::string& p) { p += '\0'; });
     damaged("step added", [](std::string& p) { p += std::string("\0\x0f", 2); });
     damaged("empty", [](std::string& p) { p.clear(); });

@@ -17,7 +17,6 @@ namespace {
 
 using namespace hexatlas;
 using complex::Cell;
-using complex::VertexSet;
 using Triangle = std::array<int, 3>;
 
 const balls::Spheres& spheres(int vertices) {

@@ -27,7 +27,6 @@ using complex::Quadrangulation;
 using flips::Beam;
 using support::all_balls;
 using support::Ball;
-using support::ball_of;
 using support::grown;
 using support::is_strict_union;
 using support::Match;

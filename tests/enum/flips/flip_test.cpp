@@ -16,7 +16,6 @@ namespace {
 
 using namespace hexatlas;
 using complex::Quadrangulation;
-using complex::Vertex;
 using flips::Flip;
 using oracle::Cycle;
 

@@ -18,7 +18,6 @@
 namespace {
 
 using namespace hexatlas;
-using certificate::Clause;
 using certificate::Condition;
 using complex::Triangulation;
 using complex::VertexSet;
