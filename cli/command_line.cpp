@@ -277,7 +277,7 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
          "Quads of the boundaries on the way, at most");
   effort("--max-hexahedra", search.max_hexahedra, 1, 200, "Hexahedra of the balls grown, at most");
   effort("--rounds", search.rounds, 1, 1000,
-         "Rounds of sweep, exchange, cuts, symmetric collars and collars");
+         "Rounds of sweep, exchange, cuts, symmetric collars, collars and annealing");
   effort("--growths", search.growths, 0, 1'000'000, "Exchanges tried per boundary and round");
   effort("--cut", search.cut, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round that are cut in two, those with the largest meshes");
@@ -310,6 +310,10 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
            "How much such collars with few quads inside are preferred: a quad counts as so many of "
            "the pairs of vertices that a collar relates");
   }
+  effort("--annealed", search.annealed, std::size_t{0}, std::size_t{1'000'000},
+         "Boundaries per round whose meshes are annealed, those with the largest ones");
+  effort("--anneal-rounds", search.anneal_rounds, 1, 10'000'000,
+         "Rounds of annealing of each of these; each takes about 0.1 seconds of one processor");
   effort("--memory", options->memory_gib, 1, 4096,
          "GiB that the balls may take, about, and once more what is grown inwards to meet them");
   add_seed(*build, search.balls.seed);

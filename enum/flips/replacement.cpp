@@ -6,6 +6,7 @@
 #include "enum/complex/facets.hpp"
 #include "enum/core/checks.hpp"
 #include "enum/core/random.hpp"
+#include "enum/flips/exchange.hpp"
 
 namespace hexatlas::flips {
 namespace {
@@ -16,13 +17,6 @@ using complex::Hexahedron;
 using complex::HexComplex;
 using complex::Vertex;
 using complex::VertexId;
-
-/// A ball of the beam that fits in place of a sub-ball, and how it is turned.
-struct Fit {
-  FrontId ball;
-  canon::Labelling label{};  ///< canonical label of each boundary vertex of the sub-ball
-  bool is_mirrored = false;
-};
 
 /// A ball of the beam that may replace the sub-ball: the least one, if it has fewer hexahedra, or
 /// any one with at most `most`. Of several the one at place `turn` modulo their number.
@@ -49,19 +43,6 @@ std::optional<Fit> fit(const SubBall& ball, const Beam& balls, int most, std::ui
     }
   if (fits.empty()) return std::nullopt;
   return fits[turn % fits.size()];
-}
-
-/// The mesh with the sub-ball exchanged; vertices not numbered without gaps yet.
-HexComplex exchanged(const HexComplex& mesh, const SubBall& ball, const Beam& balls,
-                     const Fit& found) {
-  HexComplex result{mesh.vertices, {}};
-  for (std::uint32_t cell = 0; cell < mesh.hexahedra.size(); ++cell)
-    if (!ball.contains(cell)) result.hexahedra.push_back(mesh.hexahedra[cell]);
-  const auto vertices = static_cast<std::size_t>(ball.front().boundary.vertices());
-  std::vector<VertexId> rim(vertices);
-  for (std::size_t v = 0; v < vertices; ++v) rim[found.label[v]] = ball.rim(static_cast<Vertex>(v));
-  append_ball(result, layers_along(balls, found.ball, Growth::outward), rim, found.is_mirrored);
-  return result;
 }
 
 /// A mesh and who meets whom in it.

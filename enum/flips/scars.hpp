@@ -51,6 +51,12 @@ class ScarSet {
     for (std::size_t i = 0; i < words_.size(); ++i) common |= words_[i] & other.words_[i];
     return common == 0;
   }
+  [[nodiscard]] int size_in_common(const ScarSet& other) const noexcept {
+    int count = 0;
+    for (std::size_t i = 0; i < words_.size(); ++i)
+      count += std::popcount(words_[i] & other.words_[i]);
+    return count;
+  }
   /// The scars after renaming the vertices.
   [[nodiscard]] ScarSet renamed(const canon::Labelling& label) const noexcept;
   [[nodiscard]] std::uint64_t hash(std::uint64_t seed) const noexcept;

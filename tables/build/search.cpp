@@ -7,6 +7,7 @@
 
 #include "enum/core/checks.hpp"
 #include "enum/core/errors.hpp"
+#include "enum/flips/annealing.hpp"
 #include "enum/flips/cut.hpp"
 #include "enum/flips/meeting.hpp"
 #include "enum/flips/symmetric_front.hpp"
@@ -78,7 +79,8 @@ void TableSearch::step() {
   if (phase_ == Phase::exchange) return exchange_step();
   if (phase_ == Phase::cuts) return cut_step();
   if (phase_ == Phase::symmetric) return symmetric_step();
-  collar_step();
+  if (phase_ == Phase::collars) return collar_step();
+  anneal_step();
 }
 
 /// A phase for the largest meshes only, and for those without one.
@@ -256,11 +258,21 @@ void TableSearch::symmetric_step() {
 
 void TableSearch::collar_step() {
   const canon::Code* code = next_largest();
-  if (code == nullptr) return next_round();
+  if (code == nullptr) return begin(Phase::annealing, options_.annealed);
   const flips::MeetingOptions options{
       .collars = options_.collars, .max_collar = options_.max_collar, .below = hexahedra(*code)};
   if (const auto filling = flips::best_meeting(flips::BeamBalls(balls_), *code, options))
     adopt(*code, {filling->mesh, flips::FrontOrigin::met, true});
+}
+
+void TableSearch::anneal_step() {
+  const canon::Code* code = next_largest();
+  if (code == nullptr) return next_round();
+  if (hexahedra(*code) == kNone) return;
+  const flips::AnnealingOptions options{
+      .rounds = options_.anneal_rounds, .seed = seed_for(*code), .threads = options_.balls.threads};
+  if (auto mesh = flips::smaller_by_annealing(unchecked_mesh(*code), code->quads, balls_, options))
+    adopt(*code, in_order(*code, {*std::move(mesh), flips::FrontOrigin::exchanged}));
 }
 
 void TableSearch::next_round() {
@@ -275,8 +287,8 @@ TableSearch::Progress TableSearch::progress() const {
   if (phase_ == Phase::sweep)
     return {round + ", sweep", static_cast<std::size_t>(balls_.level()) + 1,
             static_cast<std::size_t>(options_.max_hexahedra)};
-  constexpr std::array<std::string_view, 6> kNames{
-      "sweep", "exchange", "cuts", "symmetric collars", "collars", "end"};
+  constexpr std::array<std::string_view, 7> kNames{
+      "sweep", "exchange", "cuts", "symmetric collars", "collars", "annealing", "end"};
   return {round + ", " + std::string(kNames[static_cast<std::size_t>(phase_)]), position_,
           targets_.size()};
 }

@@ -9,7 +9,8 @@
 /// balls are joined along a disc (enum/flips/cut.hpp), and what they make, as well as the mesh
 /// known before, goes through a longer exchange. *Symmetric collars*, for boundaries that have an
 /// involution, and *collars*: hexahedra are taken off inwards until a known ball fits
-/// (enum/flips/meeting.hpp). What is found goes back into the beam, with all balls
+/// (enum/flips/meeting.hpp). *Annealing*: exchange that may break the strict rule for a while
+/// (enum/flips/annealing.hpp). What is found goes back into the beam, with all balls
 /// on the way, and the next sweep goes on from there: so a mesh one flip away from a smaller one
 /// becomes smaller, too. A mesh without a shelling that the beam could hold is kept beside it.
 ///
@@ -37,10 +38,10 @@ namespace hexatlas::build {
 struct SearchOptions {
   /// Of the balls grown. The seed and the threads are those of the whole search.
   flips::BeamOptions balls{.max_quads = 24, .fronts_per_class = 200, .fronts_per_level = 1'000'000};
-  int max_hexahedra = 72;      ///< of a ball
-  int rounds = 3;              ///< each: sweep, exchange, cuts, symmetric collars, collars
-  int growths = 20;            ///< of exchange, per boundary and round
-  std::size_t cut = 1000;      ///< boundaries per round
+  int max_hexahedra = 72;  ///< of a ball
+  int rounds = 3;          ///< each: sweep, exchange, cuts, symmetric collars, collars, annealing
+  int growths = 20;        ///< of exchange, per boundary and round
+  std::size_t cut = 1000;  ///< boundaries per round
   std::size_t cuts_each = 10;  ///< cuts of one boundary, each of which gets its exchange
   int cut_growths = 300;       ///< of exchange, per cut
   int cut_interior = 4;        ///< vertices inside the disc of a cut, at most 8
@@ -56,6 +57,8 @@ struct SearchOptions {
       .max_quads = flips::kMaxSearchQuads, .fronts_per_class = 20, .fronts_per_level = 3'000};
   int max_collar = 12;         ///< hexahedra
   std::size_t collared = 100;  ///< boundaries per round
+  int anneal_rounds = 200;     ///< of annealing, per boundary: about 20 s of one processor
+  std::size_t annealed = 0;    ///< boundaries per round
 };
 
 /// How the mesh of a boundary was found, as a word of the census; and the other way round, for
@@ -68,7 +71,15 @@ class TableSearch {
   /// `targets`: codes of 3-connected quadrangulations with at most kMaxSearchQuads quads.
   TableSearch(std::vector<canon::Code> targets, const SearchOptions& options);
 
-  enum class Phase : std::uint8_t { sweep, exchange, cuts, symmetric, collars, finished };
+  enum class Phase : std::uint8_t {
+    sweep,
+    exchange,
+    cuts,
+    symmetric,
+    collars,
+    annealing,
+    finished
+  };
 
   [[nodiscard]] bool is_finished() const noexcept { return phase_ == Phase::finished; }
   /// Does the next piece of work. Requires that the search is not finished.
@@ -135,6 +146,7 @@ class TableSearch {
   void cut_step();
   void symmetric_step();
   void collar_step();
+  void anneal_step();
   [[nodiscard]] const canon::Code* next_largest();
   void begin(Phase phase, std::size_t largest);
   void next_round();

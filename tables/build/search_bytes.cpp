@@ -64,7 +64,8 @@ std::string TableSearch::settings() const {
         std::uint64_t{options_.cuts_each}, static_cast<std::uint64_t>(options_.cut_growths),
         static_cast<std::uint64_t>(options_.cut_interior), std::uint64_t{options_.cut_uphill},
         static_cast<std::uint64_t>(options_.max_symmetric), std::uint64_t{options_.symmetrized},
-        static_cast<std::uint64_t>(options_.max_collar), std::uint64_t{options_.collared}})
+        static_cast<std::uint64_t>(options_.max_collar), std::uint64_t{options_.collared},
+        static_cast<std::uint64_t>(options_.anneal_rounds), std::uint64_t{options_.annealed}})
     text += ' ' + std::to_string(number);
   for (const flips::BeamOptions* own : {&options_.symmetric, &options_.collars})
     for (const std::uint64_t number :

@@ -15,7 +15,8 @@ import program
 TARGETS = ("--max-quads", "6", "--also", "two-cubes", "--also", "three-around-an-edge",
            "--also", "rhombic-dodecahedron", "--per-class", "10", "--growths", "5", "-j", "2")
 OPTIONS = (*TARGETS, "--width", "50", "--max-hexahedra", "12", "--rounds", "2", "--symmetric", "2",
-           "--symmetric-width", "20", "--symmetric-hexahedra", "12", "--collared", "2")
+           "--symmetric-width", "20", "--symmetric-hexahedra", "12", "--collared", "2",
+           "--annealed", "2", "--anneal-rounds", "1")
 ENDLESS = (*TARGETS, "--width", "200", "--max-hexahedra", "72", "--rounds", "1000")  # many minutes
 SAVED = ("--state", "s.state", "--save-every", "0")
 FOUND_ALL_OR_NOT = (0, 4)

@@ -14,6 +14,8 @@ import time
 import program
 from table_files import QUICK, SMALL
 
+SHIPPED = os.path.join(program.REPOSITORY, "tables", "data", "hexatlas.hxt")
+
 
 class Build(program.ProgramTest):
     def build(self, name, *options):
@@ -166,6 +168,21 @@ class Build(program.ProgramTest):
             ran = self.hexatlas("table", "get", "--table", "c.hxt", "--code", code)
             found[options] = json.loads(ran.out)["hexahedra"] if ran.code == 0 else None
         self.assertEqual(list(found.values()), [None, None, None, 5, 5])
+
+    def test_annealing(self):
+        # Two balls joined along a disc make 72 hexahedra; the best known mesh has 41.
+        code = "q1:00888a5a5dddff"
+        known = ("--max-quads", "12", "--width", "300", *QUICK[4:], "--max-hexahedra", "8")
+        self.hexatlas("table", "build", "-o", "known.hxt", *known, "--cut", "0", "--start-from", SHIPPED)
+        found = []
+        for boundaries, rounds in (("0", "24"), ("1", "1"), ("1", "24")):
+            self.hexatlas("table", "build", "-o", "a.hxt", *known, "--also", code, "--start-from", "known.hxt",
+                          "--per-class", "5", "--cut", "1", "--cuts-each", "1",
+                          "--annealed", boundaries, "--anneal-rounds", rounds)
+            ran = self.expect(0, self.hexatlas("table", "get", "--table", "a.hxt", "--code", code))
+            found.append(json.loads(ran.out)["hexahedra"])
+        self.assertEqual(found[0], found[1])
+        self.assertLess(found[2], found[1])
 
 
 if __name__ == "__main__":

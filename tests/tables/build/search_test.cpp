@@ -62,6 +62,8 @@ build::SearchOptions small(int threads) {
   options.collars.fronts_per_level = 60;
   options.max_collar = 3;
   options.collared = 3;
+  options.anneal_rounds = 1;
+  options.annealed = 2;
   return options;
 }
 
@@ -79,7 +81,7 @@ TEST(TableSearch, FillsWhatItSays) {
     phases.insert(progress.phase);
     search.step();
   }
-  EXPECT_EQ(phases.size(), 10U);
+  EXPECT_EQ(phases.size(), 12U);
   const auto rows = build::table_rows(search);
   EXPECT_EQ(rows.size() + search.without_mesh().size(), codes.size());
   EXPECT_GE(rows.size(), 8U);

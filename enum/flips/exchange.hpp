@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// A ball of hexahedra inside a mesh exchanged for a ball of a beam with the same boundary.
+
+#include "enum/complex/hex_complex.hpp"
+#include "enum/flips/beam.hpp"
+#include "enum/flips/sub_ball.hpp"
+
+namespace hexatlas::flips {
+
+/// A ball of the beam in place of a sub-ball, and how it is turned.
+struct Fit {
+  FrontId ball;
+  canon::Labelling label{};  ///< canonical label of each boundary vertex of the sub-ball
+  bool is_mirrored = false;
+};
+
+/// The mesh with the sub-ball exchanged; vertices not numbered without gaps yet. Requires that
+/// `balls` grew from the single hexahedron and that the boundaries are the same under the label.
+/// Not promised: the strict rule, which scars decide (docs/theory/proofs/front.md, section 5).
+[[nodiscard]] complex::HexComplex exchanged(const complex::HexComplex& mesh, const SubBall& ball,
+                                            const Beam& balls, const Fit& found);
+
+}  // namespace hexatlas::flips
