@@ -49,6 +49,16 @@ if [[ "${1:-}" == --search ]]; then
   "$program" table build -o hexatlas-end.hxt --state end.state --start-from long.state hexatlas-long.hxt \
     "${more[@]}" --cut 3 --cuts-each 8 --cut-growths 20000 --cut-interior 6 --cut-uphill 8 --max-hexahedra 54 \
     --growths 4 --collared 0
+  # A sweep whose targets have 22 quads, too, then annealing.
+  none=(--cut 0 --symmetric 0 --collared 0 --growths 0 --rounds 1)
+  again=(--width 900000 --per-class 200 --seed 20261124 "${none[@]}")
+  "$program" table build -o swept-22.hxt --state swept-22.state --max-quads 22 --start-from hexatlas-end.hxt "${again[@]}" \
+    --max-hexahedra 58
+  "$program" table build -o annealed.hxt --state annealed.state --start-from swept-22.state "${again[@]}" --max-hexahedra 1 \
+    --annealed 40 --anneal-rounds 60
+  "$program" table build -o annealed-long.hxt --start-from annealed.state "${again[@]}" --max-hexahedra 1 --annealed 3 --anneal-rounds 4500
+  "$program" table build -o hexatlas-annealed.hxt --start-from annealed-long.hxt hexatlas-end.hxt --width 1 --per-class 1 "${none[@]}" \
+    --max-hexahedra 1
   # 22 quads anew: the trapezohedron; flips within 22 quads; then collars and cuts for what is missing.
   known=(--width 900000 --per-class 200 --seed 20261124 --rounds 1 --max-hexahedra 1 --growths 0)
   "$program" table build -o trapezohedron-22.hxt --state 22.state --also q1:0888888888a55555dfffff \
