@@ -104,8 +104,8 @@ struct Draw {
 
 /// One of the balls that fit in place of the sub-ball, in all positions, drawn by their weights;
 /// nullopt for the sub-ball itself, which has weight 1.
-std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Powers& per_hexahedron,
-                         const Powers& per_fault, Random& random) {
+std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Climate& climate,
+                         Random& random) {
   const Front& front = ball.front();
   canon::CanonicalFlags flags;
   canon::canonical_flags(front.boundary, flags);
@@ -117,6 +117,7 @@ std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Powers& p
                            front.boundary.vertices(), positions[0].label)
                       .size_in_common(positions[0].scars);
   const auto& known = balls.store().family(*number).fronts;
+  const Powers per_hexahedron(climate.per_hexahedron), per_fault(climate.per_fault);
   std::optional<Draw> drawn;
   double total = 1;
   for (const Position& position : positions)
@@ -149,9 +150,7 @@ bool Walk::step(const Climate& climate) {
   const int weight = static_cast<int>(random_.below(5));
   while (ball.cells().size() < size)
     if (!ball.grow_somewhere(random_, weight)) return false;
-  if (ball.front().boundary.quads() > kMaxStateQuads) return false;
-  const auto drawn =
-      draw(ball, *balls_, Powers(climate.per_hexahedron), Powers(climate.per_fault), random_);
+  const auto drawn = draw(ball, *balls_, climate, random_);
   if (!drawn) return false;
   HexComplex made = complex::compacted(exchanged(mesh_, ball, *balls_, drawn->fit), quads_ + 2);
   auto neighbours = neighbours_if_complex(made, quads_);
