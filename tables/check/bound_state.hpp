@@ -116,7 +116,8 @@ class BoundState {
   [[nodiscard]] bool may_be_above(std::size_t u, const BoundFacet& facet, unsigned i) const;
 
   /// The tops of all hexahedra with at most `most` new vertices that may be put on an open facet,
-  /// in lexicographic order; new vertices have the next numbers.
+  /// in lexicographic order; new vertices have the next numbers. Requires that all these are below
+  /// kMostBoundVertices.
   [[nodiscard]] std::vector<BoundCorners> tops_on(std::size_t facet,
                                                   const BoundNewVertices& most) const;
 
