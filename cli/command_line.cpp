@@ -312,8 +312,12 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
   }
   effort("--annealed", search.annealed, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round whose meshes are annealed, those with the largest ones");
+  effort("--anneal-starts", search.anneal_starts, std::size_t{1}, std::size_t{1'000},
+         "Meshes that annealing of one of these begins with: the one known, and others by collars, "
+         "with a symmetry or without; after each stage the more promising half of them goes on");
   effort("--anneal-rounds", search.anneal_rounds, 1, 10'000'000,
-         "Rounds of annealing of each of these; each takes about 0.1 seconds of one processor");
+         "Rounds of annealing of each mesh, more for the promising ones; each takes about 0.05 "
+         "seconds of one processor");
   effort("--memory", options->memory_gib, 1, 4096,
          "GiB that the balls may take, about, and once more what is grown inwards to meet them");
   add_seed(*build, search.balls.seed);

@@ -23,6 +23,8 @@ class Random {
   [[nodiscard]] std::size_t below(std::size_t n) noexcept {
     return static_cast<std::size_t>(number() % n);
   }
+  /// In [0, 1), a multiple of 2^-53.
+  [[nodiscard]] double uniform() noexcept { return static_cast<double>(number() >> 11U) * 0x1p-53; }
 
  private:
   std::uint64_t state_;

@@ -15,10 +15,11 @@ struct Fit {
   bool is_mirrored = false;
 };
 
-/// The mesh with the sub-ball exchanged; vertices not numbered without gaps yet. Requires that
-/// `balls` grew from the single hexahedron and that the boundaries are the same under the label.
+/// The mesh with the sub-ball exchanged; vertices not numbered without gaps yet. `layers`: those of
+/// the ball of `found`, which must have grown from the single hexahedron. Requires that the
+/// boundaries are the same under the label.
 /// Not promised: the strict rule, which scars decide (docs/theory/proofs/front.md, section 5).
 [[nodiscard]] complex::HexComplex exchanged(const complex::HexComplex& mesh, const SubBall& ball,
-                                            const Beam& balls, const Fit& found);
+                                            const Layers& layers, const Fit& found);
 
 }  // namespace hexatlas::flips

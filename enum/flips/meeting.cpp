@@ -1,8 +1,10 @@
 #include "enum/flips/meeting.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 #include "enum/cells/cube.hpp"
 #include "enum/core/checks.hpp"
@@ -38,6 +40,25 @@ SymmetricCavities cavities_of(const SymmetricBeam& collars) {
   return result;
 }
 
+complex::Quadrangulation boundary_of(const canon::Code& target) {
+  const auto boundary = canon::decode(target);
+  core::expects(boundary && boundary->is_three_connected(),
+                "only a 3-connected boundary has a filling");
+  return *boundary;
+}
+
+/// The boundary with each of its involutions that keeps options.apart.
+std::vector<SymmetricFront> symmetric_starts(const canon::Code& target,
+                                             const MeetingOptions& options) {
+  const complex::Quadrangulation boundary = boundary_of(target);
+  const auto apart = options.apart.as<kMaxSymmetricQuads>();
+  std::vector<SymmetricFront> result;
+  for (const Involution& involution : involutions_of(boundary))
+    if (apart.renamed(involution.image) == apart)
+      result.push_back({front_with(boundary, apart), involution.image});
+  return result;
+}
+
 std::optional<Filling> symmetric_meeting(const BallSource& balls, const SymmetricFront& start,
                                          const MeetingOptions& options, Matcher& matcher) {
   SymmetricBeam collars(start, options.collars);
@@ -52,6 +73,75 @@ std::optional<Filling> symmetric_meeting(const BallSource& balls, const Symmetri
   }
   return best;
 }
+
+/// Those balls of a beam that have an even number of hexahedra, or an odd one.
+class BallsOfParity final : public BallSource {
+ public:
+  BallsOfParity(const Beam& beam, int parity) : beam_(beam), parity_(parity) {}
+
+  [[nodiscard]] std::optional<int> least_with(const canon::Code& boundary) const override {
+    const auto number = beam_.store().find(boundary);
+    if (!number) return std::nullopt;
+    std::optional<int> least;
+    for (const StoredFront& front : beam_.store().family(*number).fronts)
+      if (is_one(front.level) && (!least || front.level + 1 < *least)) least = front.level + 1;
+    return least;
+  }
+  [[nodiscard]] std::vector<KnownBall> balls_with(const canon::Code& boundary) const override {
+    std::vector<KnownBall> result;
+    for (const FrontRecord& front : own_fronts(boundary))
+      result.push_back({front.level + 1, front.scars});
+    return result;
+  }
+  [[nodiscard]] Layers layers_of(const canon::Code& boundary, std::size_t ball) const override {
+    return layers_along(beam_, own_fronts(boundary)[ball].id, Growth::outward);
+  }
+
+ private:
+  [[nodiscard]] bool is_one(int level) const noexcept { return (level + 1) % 2 == parity_; }
+  [[nodiscard]] std::vector<FrontRecord> own_fronts(const canon::Code& boundary) const {
+    std::vector<FrontRecord> fronts = beam_.fronts_of(boundary);
+    std::erase_if(fronts, [this](const FrontRecord& front) { return !is_one(front.level); });
+    return fronts;
+  }
+
+  const Beam& beam_;
+  int parity_;
+};
+
+/// Fillings by collars of one thickness after the other.
+class Variety {
+ public:
+  /// `collar(i)`: the hexahedra taken off before the cavity i is left.
+  template <class CollarOf>
+  void add(const Beam& balls, const MeetingOptions& options, int quads,
+           const std::vector<Cavity>& cavities, const CollarOf& collar_of) {
+    for (int parity = 0; parity < 2; ++parity) {
+      const int thickness = cavities.empty() ? 0 : cavities.front().collar;
+      const BallsOfParity source(balls, (parity + thickness) % 2);
+      Matcher matcher(source, options.below, options.collars.threads);
+      if (const auto meeting = matcher.match(cavities))
+        fillings_.push_back(assembled(source, collar_of(meeting->cavity), *meeting, quads));
+    }
+  }
+  [[nodiscard]] std::vector<Filling> in_order() && {
+    std::map<std::size_t, std::size_t> met;  // how many with so many hexahedra
+    std::vector<std::pair<std::size_t, std::size_t>> rank;
+    for (const Filling& filling : fillings_)
+      rank.emplace_back(met[filling.mesh.hexahedra.size()]++, filling.mesh.hexahedra.size());
+    std::vector<std::size_t> order(fillings_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return rank[a] < rank[b]; });
+    std::vector<Filling> result;
+    result.reserve(order.size());
+    for (const std::size_t i : order) result.push_back(std::move(fillings_[i]));
+    return result;
+  }
+
+ private:
+  std::vector<Filling> fillings_;
+};
 
 }  // namespace
 
@@ -94,9 +184,7 @@ Scars scars_of(const complex::HexComplex& mesh, const complex::Quadrangulation& 
 
 std::optional<Filling> best_meeting(const BallSource& balls, const canon::Code& target,
                                     const MeetingOptions& options) {
-  const auto boundary = canon::decode(target);
-  core::expects(boundary && boundary->is_three_connected(),
-                "only a 3-connected boundary has a filling");
+  (void)boundary_of(target);
   Beam collars(State{target, options.apart}, options.collars);
   Matcher matcher(balls, options.below, options.collars.threads);
   std::optional<Filling> best;
@@ -114,18 +202,42 @@ std::optional<Filling> best_meeting(const BallSource& balls, const canon::Code& 
 
 std::optional<Filling> best_symmetric_meeting(const BallSource& balls, const canon::Code& target,
                                               const MeetingOptions& options) {
-  const auto boundary = canon::decode(target);
-  core::expects(boundary && boundary->is_three_connected(),
-                "only a 3-connected boundary has a filling");
-  const auto apart = options.apart.as<kMaxSymmetricQuads>();
   Matcher matcher(balls, options.below, options.collars.threads);
   std::optional<Filling> best;
-  for (const Involution& involution : involutions_of(*boundary)) {
-    if (apart.renamed(involution.image) != apart) continue;
-    const SymmetricFront start{front_with(*boundary, apart), involution.image};
+  for (const SymmetricFront& start : symmetric_starts(target, options))
     if (auto filling = symmetric_meeting(balls, start, options, matcher)) best = std::move(filling);
-  }
   return best;
+}
+
+std::vector<Filling> varied_meetings(const Beam& balls, const canon::Code& target,
+                                     const MeetingOptions& options) {
+  (void)boundary_of(target);
+  Beam collars(State{target, options.apart}, options.collars);
+  Variety result;
+  std::size_t size = 1;
+  for (int depth = 0; depth <= options.max_collar && size > 0; ++depth) {
+    if (depth > 0) size = collars.expand_level();
+    result.add(balls, options, target.quads, cavities_of(collars), [&](std::size_t cavity) {
+      return layers_along(collars, collars.frontier()[cavity], Growth::inward);
+    });
+  }
+  return std::move(result).in_order();
+}
+
+std::vector<Filling> varied_symmetric_meetings(const Beam& balls, const canon::Code& target,
+                                               const MeetingOptions& options) {
+  Variety result;
+  for (const SymmetricFront& start : symmetric_starts(target, options)) {
+    SymmetricBeam collars(start, options.collars);
+    for (bool has_more = true; has_more; has_more = collars.expand_level()) {
+      const SymmetricCavities here = cavities_of(collars);
+      result.add(balls, options, target.quads, here.cavities, [&](std::size_t cavity) {
+        return collars.layers_to(collars.nodes()[here.node[cavity]]);
+      });
+      if (collars.level() == options.max_collar) break;
+    }
+  }
+  return std::move(result).in_order();
 }
 
 }  // namespace hexatlas::flips

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "enum/canon/code.hpp"
 #include "enum/complex/hex_complex.hpp"
@@ -93,5 +94,17 @@ struct MeetingOptions {
 [[nodiscard]] std::optional<Filling> best_symmetric_meeting(const BallSource& balls,
                                                             const canon::Code& target,
                                                             const MeetingOptions& options);
+
+/// Fillings of many kinds, to begin annealing with (annealing.hpp): of the meetings with collars of
+/// each thickness the least one with an even and the least one with an odd number of hexahedra.
+/// Those with another number than all before them come first, then the second ones of each number,
+/// and so on; of these the least ones first. Requires what best_meeting() does.
+[[nodiscard]] std::vector<Filling> varied_meetings(const Beam& balls, const canon::Code& target,
+                                                   const MeetingOptions& options);
+
+/// The same with symmetric collars, as in best_symmetric_meeting().
+[[nodiscard]] std::vector<Filling> varied_symmetric_meetings(const Beam& balls,
+                                                             const canon::Code& target,
+                                                             const MeetingOptions& options);
 
 }  // namespace hexatlas::flips

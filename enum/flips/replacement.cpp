@@ -1,6 +1,7 @@
 #include "enum/flips/replacement.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "enum/cells/cube.hpp"
 #include "enum/complex/facets.hpp"
@@ -86,7 +87,8 @@ std::optional<HexComplex> exchanged_somewhere(const WorkedMesh& worked, int quad
     const bool may_go_sideways = !sideways && random.below(8) == 0;
     const auto found = fit(ball, balls, may_go_sideways ? size + more : size - 1, random.number());
     if (!found) continue;
-    std::optional<HexComplex> made = compacted(exchanged(mesh, ball, balls, *found), quads + 2);
+    const Layers layers = layers_along(balls, found->ball, Growth::outward);
+    std::optional<HexComplex> made = compacted(exchanged(mesh, ball, layers, *found), quads + 2);
     if (keep_shellable) made = in_shelling_order({*std::move(made)}, kTries, random);
     if (!made) continue;
     if (made->hexahedra.size() < mesh.hexahedra.size()) return made;
@@ -99,6 +101,54 @@ std::optional<HexComplex> exchanged_somewhere(const WorkedMesh& worked, int quad
 int climb(int room, Random& random) {
   const std::size_t draw = random.below(8);
   return std::min(room, draw == 0 ? 2 : draw == 1 ? 1 : 0);
+}
+
+constexpr bool has(FacetSet set, unsigned facet) noexcept { return (set.bits >> facet & 1U) != 0; }
+
+/// The facet other than `bottom` that contains both ends of an edge of it.
+unsigned side_at(unsigned bottom, unsigned u, unsigned v) noexcept {
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const unsigned facet = 2 * axis + (u >> axis & 1U);
+    if ((u >> axis & 1U) == (v >> axis & 1U) && facet != bottom) return facet;
+  }
+  return bottom;
+}
+
+/// A flip that glues on a certain hexahedron, whose corners (enum/cells/cube.hpp) are the bottom's
+/// and the top's.
+struct PlacedFlip {
+  Flip flip;
+  std::array<cells::CubeVertex, 4> bottom{}, top{};
+};
+
+/// The flip that glues a hexahedron on: `corner` has the boundary vertices at its corners,
+/// kNewVertex at those not on the boundary; `patch` its facets on the boundary. nullopt if these
+/// are no patch of `boundary`. Requires that no two quads of `boundary` have the same vertices.
+std::optional<PlacedFlip> flip_of(const complex::Quadrangulation& boundary,
+                                  const std::array<Vertex, 8>& corner, FacetSet patch) {
+  if (!kind_of(patch)) return std::nullopt;
+  unsigned bottom = 0;  // a patch has a facet whose opposite one it does not have
+  while (!has(patch, bottom) || has(patch, bottom ^ 1U)) ++bottom;
+  VertexSet wanted = 0;
+  for (const cells::CubeVertex c : cells::kFacetVertices[bottom]) {
+    if (corner[c] == kNewVertex) return std::nullopt;
+    wanted |= bit(corner[c]);
+  }
+  for (int q = 0; q < boundary.quads(); ++q) {
+    const complex::QuadVertices b = boundary.vertices_of(q);
+    if (set_of(b) != wanted) continue;
+    PlacedFlip placed{{static_cast<complex::Quad>(q), 0}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto at = std::find(corner.begin(), corner.end(), b[i]) - corner.begin();
+      placed.bottom[i] = static_cast<cells::CubeVertex>(at);
+      placed.top[i] = static_cast<cells::CubeVertex>(placed.bottom[i] ^ 1U << bottom / 2);
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+      if (has(patch, side_at(bottom, placed.bottom[i], placed.bottom[(i + 1) % 4])))
+        placed.flip.sides = static_cast<std::uint8_t>(placed.flip.sides | 1U << i);
+    return placed;
+  }
+  return std::nullopt;
 }
 
 /// The facets of a hexahedron that are quads of the boundary.

@@ -2,55 +2,47 @@
 
 #include <algorithm>
 #include <bit>
-#include <utility>
 
+#include "enum/cells/cube.hpp"
 #include "enum/complex/facets.hpp"
+#include "enum/core/checks.hpp"
 
 namespace hexatlas::flips {
 namespace {
 
 using complex::Vertex;
-using Corners = std::array<Vertex, 8>;
+using complex::VertexId;
 
-constexpr bool has(FacetSet set, unsigned facet) noexcept { return (set.bits >> facet & 1U) != 0; }
+/// What the patches of the cube have to do with its corners.
+struct PatchCorners {
+  bool is_patch = false;
+  std::uint8_t reached = 0;  ///< corners in the patch, one bit each
+  /// For each corner the later ones in the patch, but in no facet of the patch with it.
+  std::array<std::uint8_t, cells::kCubeVertices> apart{};
+};
 
-/// The facet other than `bottom` that contains both ends of an edge of it.
-unsigned side_at(unsigned bottom, unsigned u, unsigned v) noexcept {
-  for (unsigned axis = 0; axis < 3; ++axis) {
-    const unsigned facet = 2 * axis + (u >> axis & 1U);
-    if ((u >> axis & 1U) == (v >> axis & 1U) && facet != bottom) return facet;
+constexpr std::array<PatchCorners, 1U << cells::kCubeFacets> patch_corners() {
+  std::array<PatchCorners, 1U << cells::kCubeFacets> result{};
+  for (unsigned bits = 0; bits < result.size(); ++bits) {
+    PatchCorners& own = result[bits];
+    own.is_patch = kind_of(FacetSet{static_cast<std::uint8_t>(bits)}).has_value();
+    std::array<unsigned, cells::kCubeVertices> together{};
+    for (unsigned f = 0; f < cells::kCubeFacets; ++f) {
+      if ((bits >> f & 1U) == 0) continue;
+      unsigned corners = 0;
+      for (const cells::CubeVertex c : cells::kFacetVertices[f]) corners |= 1U << c;
+      for (const cells::CubeVertex c : cells::kFacetVertices[f]) together[c] |= corners;
+      own.reached = static_cast<std::uint8_t>(own.reached | corners);
+    }
+    for (unsigned c = 0; c < cells::kCubeVertices; ++c)
+      if ((own.reached >> c & 1U) != 0)
+        own.apart[c] = static_cast<std::uint8_t>(own.reached & ~together[c] & (0xFFU << c));
   }
-  return bottom;
+  return result;
 }
+constexpr auto kPatchCorners = patch_corners();
 
 }  // namespace
-
-std::optional<PlacedFlip> flip_of(const complex::Quadrangulation& boundary, const Corners& corner,
-                                  FacetSet patch) {
-  if (!kind_of(patch)) return std::nullopt;
-  unsigned bottom = 0;  // a patch has a facet whose opposite one it does not have
-  while (!has(patch, bottom) || has(patch, bottom ^ 1U)) ++bottom;
-  VertexSet wanted = 0;
-  for (const cells::CubeVertex c : cells::kFacetVertices[bottom]) {
-    if (corner[c] == kNewVertex) return std::nullopt;
-    wanted |= bit(corner[c]);
-  }
-  for (int q = 0; q < boundary.quads(); ++q) {
-    const complex::QuadVertices b = boundary.vertices_of(q);
-    if (set_of(b) != wanted) continue;
-    PlacedFlip placed{{static_cast<complex::Quad>(q), 0}};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto at = std::find(corner.begin(), corner.end(), b[i]) - corner.begin();
-      placed.bottom[i] = static_cast<cells::CubeVertex>(at);
-      placed.top[i] = static_cast<cells::CubeVertex>(placed.bottom[i] ^ 1U << bottom / 2);
-    }
-    for (std::size_t i = 0; i < 4; ++i)
-      if (has(patch, side_at(bottom, placed.bottom[i], placed.bottom[(i + 1) % 4])))
-        placed.flip.sides = static_cast<std::uint8_t>(placed.flip.sides | 1U << i);
-    return placed;
-  }
-  return std::nullopt;
-}
 
 SubBall::Neighbours SubBall::neighbours_of(const complex::HexComplex& mesh) {
   Neighbours result(mesh.hexahedra.size());
@@ -70,8 +62,7 @@ SubBall::SubBall(const complex::HexComplex& mesh, const Neighbours& neighbours, 
 }
 
 void SubBall::restart(std::uint32_t first) {
-  for (int v = 0; v < (cells_.empty() ? 0 : front_.boundary.vertices()); ++v)
-    on_rim_[rim_[static_cast<std::size_t>(v)]] = kNewVertex;
+  forget_rim();
   for (auto* touched : {&cells_, &touching_}) {
     for (const std::uint32_t cell : *touched) {
       inside_[cell] = false;
@@ -79,85 +70,151 @@ void SubBall::restart(std::uint32_t first) {
     }
     touched->clear();
   }
+  for (const VertexId v : reached_) first_link_[v] = 0;
+  reached_.clear();
+  links_.clear();
   inside_.resize(std::max(inside_.size(), mesh_.hexahedra.size()));
   shared_.resize(inside_.size());
-  on_rim_.resize(std::max<std::size_t>(on_rim_.size(), mesh_.vertices), kNewVertex);
-  front_ = single_hexahedron();
+  first_link_.resize(std::max<std::size_t>(first_link_.size(), mesh_.vertices));
+  quads_ = cells::kCubeFacets;
   take_in(first);
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    rim_[corner] = mesh_.hexahedra[first][corner];
-    on_rim_[rim_[corner]] = static_cast<Vertex>(corner);
+}
+
+bool SubBall::are_related(VertexId u, VertexId v) const noexcept {
+  for (std::uint32_t at = first_link_[u]; at != 0; at = links_[at - 1].next) {
+    const complex::Hexahedron& cell = mesh_.hexahedra[links_[at - 1].cell];
+    if (std::find(cell.begin(), cell.end(), v) != cell.end()) return true;
   }
+  return false;
+}
+
+/// Condition (*) of docs/theory/proofs/front.md, section 1; a corner beyond the patch must be new.
+bool SubBall::may_take_in(std::uint32_t cell, FacetSet patch) const noexcept {
+  const PatchCorners& corners = kPatchCorners[patch.bits];
+  if (!corners.is_patch) return false;
+  const complex::Hexahedron& vertex = mesh_.hexahedra[cell];
+  for (unsigned c = 0; c < cells::kCubeVertices; ++c)
+    if ((corners.reached >> c & 1U) == 0 && first_link_[vertex[c]] != 0) return false;
+  for (unsigned c = 0; c < cells::kCubeVertices; ++c)
+    for (unsigned left = corners.apart[c]; left != 0; left &= left - 1)
+      if (are_related(vertex[c], vertex[static_cast<std::size_t>(std::countr_zero(left))]))
+        return false;
+  return true;
 }
 
 bool SubBall::grow(std::uint32_t cell) {
+  if (inside_[cell]) return false;
   FacetSet patch;
   for (unsigned f = 0; f < cells::kCubeFacets; ++f)
     if (neighbours_[cell][f] != kOutside && inside_[neighbours_[cell][f]])
       patch.bits = static_cast<std::uint8_t>(patch.bits | 1U << f);
-  const int after = front_.boundary.quads() + 6 - 2 * patch.size();
-  if (inside_[cell] || after < 6 || after > kMaxSearchQuads) return false;
-  const complex::Hexahedron& vertices = mesh_.hexahedra[cell];
-  Corners corner{};
-  for (std::size_t i = 0; i < 8; ++i) corner[i] = on_rim_[vertices[i]];
-  const auto placed = flip_of(front_.boundary, corner, patch);
-  if (!placed) return false;
-  const auto prism = prism_of(front_.boundary, placed->flip);
-  if (!prism || !may_glue(front_, placed->flip, *prism)) return false;
-  for (std::size_t i = 0; i < 4; ++i)  // a corner beyond the patch must be new
-    if (corner[placed->top[i]] != prism->top[i]) return false;
-  const Glued next = glued(front_, placed->flip, *prism);
-  const auto former_rim = rim_;
-  for (int v = 0; v < front_.boundary.vertices(); ++v)
-    on_rim_[former_rim[static_cast<std::size_t>(v)]] = kNewVertex;
-  for (std::size_t v = 0; v < static_cast<std::size_t>(next.front.boundary.vertices()); ++v)
-    if (next.flipped.former[v] != kNewVertex) rim_[v] = former_rim[next.flipped.former[v]];
-  for (std::size_t i = 0; i < 4; ++i) rim_[next.flipped.top[i]] = vertices[placed->top[i]];
-  front_ = next.front;
-  for (int v = 0; v < front_.boundary.vertices(); ++v)
-    on_rim_[rim_[static_cast<std::size_t>(v)]] = static_cast<Vertex>(v);
+  const int after = quads_ + 6 - 2 * patch.size();
+  if (after < 6 || after > kMaxSearchQuads || !may_take_in(cell, patch)) return false;
+  quads_ = after;
   take_in(cell);
   return true;
 }
 
 void SubBall::take_in(std::uint32_t cell) {
+  rim_.is_current = false;
   inside_[cell] = true;
   cells_.push_back(cell);
   std::erase(touching_, cell);
   for (const std::uint32_t other : neighbours_[cell])
     if (other != kOutside && !inside_[other] && shared_[other]++ == 0) touching_.push_back(other);
+  for (const VertexId v : mesh_.hexahedra[cell]) {
+    if (first_link_[v] == 0) reached_.push_back(v);
+    links_.push_back({cell, first_link_[v]});
+    first_link_[v] = static_cast<std::uint32_t>(links_.size());
+  }
 }
 
 bool SubBall::grow_somewhere(core::Random& random, int weight) {
-  std::vector<std::pair<int, std::uint32_t>> candidates;
-  candidates.reserve(touching_.size());
+  candidates_.clear();
   for (const std::uint32_t cell : touching_)
-    candidates.emplace_back(weight * shared_[cell] + static_cast<int>(random.below(6)), cell);
-  std::sort(candidates.rbegin(), candidates.rend());
-  return std::any_of(candidates.begin(), candidates.end(),
-                     [this](const auto& candidate) { return grow(candidate.second); });
+    candidates_.emplace_back(weight * shared_[cell] + static_cast<int>(random.below(6)), cell);
+  while (!candidates_.empty()) {
+    const auto best = std::max_element(candidates_.begin(), candidates_.end());
+    if (grow(best->second)) return true;
+    *best = candidates_.back();
+    candidates_.pop_back();
+  }
+  return false;
 }
 
-/// Relates the boundary vertices of a hexahedron if it lies outside.
-void SubBall::relate(std::uint32_t cell, Relation& related) const {
-  if (inside_[cell]) return;
+const SubBall::Rim& SubBall::rim_now() const {
+  if (!rim_.is_current) make_rim();
+  return rim_;
+}
+
+void SubBall::forget_rim() const {
+  for (std::size_t v = 0; v < static_cast<std::size_t>(rim_.vertices); ++v)
+    rim_.at[rim_.vertex[v]] = kNewVertex;
+  rim_.vertices = 0;
+  rim_.is_current = false;
+}
+
+void SubBall::make_rim() const {
+  constexpr std::size_t kVertices = kMaxSearchQuads + 2;
+  forget_rim();
+  rim_.at.resize(std::max<std::size_t>(rim_.at.size(), mesh_.vertices), kNewVertex);
+  std::array<Vertex, 4 * kMaxSearchQuads> origin{};
+  std::array<complex::Dart, 4 * kMaxSearchQuads> twin{};
+  std::array<std::array<complex::Dart, kVertices>, kVertices> dart_between{};
+  std::size_t darts = 0;
+  for (const std::uint32_t cell : cells_)
+    for (unsigned f = 0; f < cells::kCubeFacets; ++f) {
+      const std::uint32_t across = neighbours_[cell][f];
+      if (across != kOutside && inside_[across]) continue;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const VertexId v = mesh_.hexahedra[cell][cells::kFacetVertices[f][i]];
+        if (rim_.at[v] == kNewVertex) {
+          rim_.at[v] = static_cast<Vertex>(rim_.vertices);
+          rim_.vertex[static_cast<std::size_t>(rim_.vertices++)] = v;
+        }
+        origin[darts + i] = rim_.at[v];
+      }
+      for (std::size_t i = 0; i < 4; ++i)
+        dart_between[origin[darts + i]][origin[darts + (i + 1) % 4]] =
+            static_cast<complex::Dart>(darts + i);
+      darts += 4;
+    }
+  core::check_law([&] { return rim_.vertices == quads_ + 2; },
+                  "the boundary of a ball is a sphere");
+  for (std::size_t d = 0; d < darts; ++d) {
+    const Vertex to = origin[complex::Quadrangulation::next(static_cast<complex::Dart>(d))];
+    twin[d] = dart_between[to][origin[d]];
+  }
+  rim_.front.boundary = complex::Quadrangulation::from_darts({origin.data(), darts},
+                                                             {twin.data(), darts}, rim_.vertices);
+  std::fill_n(rim_.front.related.begin(), rim_.vertices, VertexSet{0});
+  for (const std::uint32_t cell : cells_) relate_vertices_of(cell, rim_.front.related);
+  rim_.is_current = true;
+}
+
+/// Relates those vertices of a hexahedron that are on the boundary of the ball.
+void SubBall::relate_vertices_of(std::uint32_t cell, Relation& related) const {
   VertexSet own = 0;
-  for (const complex::VertexId v : mesh_.hexahedra[cell])
-    if (on_rim_[v] != kNewVertex) own |= bit(on_rim_[v]);
+  for (const VertexId v : mesh_.hexahedra[cell])
+    if (rim_.at[v] != kNewVertex) own |= bit(rim_.at[v]);
   for (VertexSet rest = own; rest != 0; rest &= rest - 1)
     related[static_cast<std::size_t>(std::countr_zero(rest))] |= own;
 }
 
 Relation SubBall::related_outside() const {
+  (void)rim_now();
   Relation related{};
-  for (std::uint32_t cell = 0; cell < mesh_.hexahedra.size(); ++cell) relate(cell, related);
+  for (std::uint32_t cell = 0; cell < mesh_.hexahedra.size(); ++cell)
+    if (!inside_[cell]) relate_vertices_of(cell, related);
   return related;
 }
 
 Relation SubBall::related_outside(const CellsAt& cells_at) const {
+  const Rim& now = rim_now();
   Relation related{};
-  for (int v = 0; v < front_.boundary.vertices(); ++v)
-    for (const std::uint32_t cell : cells_at[rim(static_cast<Vertex>(v))]) relate(cell, related);
+  for (std::size_t v = 0; v < static_cast<std::size_t>(now.vertices); ++v)
+    for (const std::uint32_t cell : cells_at[now.vertex[v]])
+      if (!inside_[cell]) relate_vertices_of(cell, related);
   return related;
 }
 

@@ -4,30 +4,15 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <utility>
 #include <vector>
 
-#include "enum/cells/cube.hpp"
 #include "enum/complex/hex_complex.hpp"
 #include "enum/core/random.hpp"
 #include "enum/flips/front.hpp"
 #include "enum/flips/scars.hpp"
 
 namespace hexatlas::flips {
-
-/// A flip that glues on a certain hexahedron, whose corners (enum/cells/cube.hpp) are the bottom's
-/// and the top's.
-struct PlacedFlip {
-  Flip flip;
-  std::array<cells::CubeVertex, 4> bottom{}, top{};
-};
-
-/// The flip that glues a hexahedron on: `corner` has the boundary vertices at its corners,
-/// kNewVertex at those not on the boundary; `patch` its facets on the boundary. nullopt if these
-/// are no patch of `boundary`. Requires that no two quads of `boundary` have the same vertices.
-[[nodiscard]] std::optional<PlacedFlip> flip_of(const complex::Quadrangulation& boundary,
-                                                const std::array<complex::Vertex, 8>& corner,
-                                                FacetSet patch);
 
 /// A ball of hexahedra inside a mesh.
 class SubBall {
@@ -46,8 +31,8 @@ class SubBall {
   /// Cost: that of the ball, not of the mesh.
   void restart(std::uint32_t first);
 
-  /// Adds a hexahedron if the result is a ball whose boundary has at most kMaxSearchQuads quads;
-  /// otherwise says no and changes nothing.
+  /// Adds a hexahedron if the result is a ball under the strict rule whose boundary has at most
+  /// kMaxSearchQuads quads; otherwise says no and changes nothing. Cost: some ten nanoseconds.
   bool grow(std::uint32_t cell);
   /// Grows by one of the hexahedra that touch: mostly by one with many facets on the ball, which
   /// keeps the boundary short, the more so the greater the weight; by another one if that is
@@ -56,12 +41,17 @@ class SubBall {
 
   [[nodiscard]] bool contains(std::uint32_t cell) const noexcept { return inside_[cell]; }
   [[nodiscard]] const std::vector<std::uint32_t>& cells() const noexcept { return cells_; }
-  [[nodiscard]] const Front& front() const noexcept { return front_; }
+  /// The number of quads of its boundary.
+  [[nodiscard]] int quads() const noexcept { return quads_; }
+  /// Its boundary, in a numbering of its own that changes as the ball grows, and which boundary
+  /// vertices a hexahedron inside relates. Cost: linear in the ball when it has just grown, so ask
+  /// for this only of balls of interest.
+  [[nodiscard]] const Front& front() const { return rim_now().front; }
   /// Mesh vertex of a vertex of front().boundary.
-  [[nodiscard]] complex::VertexId rim(complex::Vertex v) const noexcept { return rim_[v]; }
+  [[nodiscard]] complex::VertexId rim(complex::Vertex v) const { return rim_now().vertex[v]; }
   /// Vertex of front().boundary at a mesh vertex, or kNewVertex.
-  [[nodiscard]] complex::Vertex boundary_vertex(complex::VertexId v) const noexcept {
-    return on_rim_[v];
+  [[nodiscard]] complex::Vertex boundary_vertex(complex::VertexId v) const {
+    return rim_now().at[v];
   }
   /// Of the pairs of boundary vertices those that some hexahedron outside contains. Cost: linear
   /// in the mesh, or, where the hexahedra at each vertex are known, in those at the boundary.
@@ -69,18 +59,40 @@ class SubBall {
   [[nodiscard]] Relation related_outside(const CellsAt& cells_at) const;
 
  private:
+  /// A hexahedron of the ball that contains a certain vertex, and the next such one.
+  struct Link {
+    std::uint32_t cell = 0;
+    std::uint32_t next = 0;  ///< place among the links plus 1, 0: none
+  };
+  /// The boundary, made when it is asked for.
+  struct Rim {
+    bool is_current = false;
+    Front front;
+    int vertices = 0;
+    std::array<complex::VertexId, kMaxSearchQuads + 2> vertex{};
+    std::vector<complex::Vertex> at;  ///< of each mesh vertex
+  };
+
+  void take_in(std::uint32_t cell);
+  [[nodiscard]] bool are_related(complex::VertexId u, complex::VertexId v) const noexcept;
+  [[nodiscard]] bool may_take_in(std::uint32_t cell, FacetSet patch) const noexcept;
+  const Rim& rim_now() const;
+  void forget_rim() const;
+  void make_rim() const;
+  void relate_vertices_of(std::uint32_t cell, Relation& related) const;
+
   const complex::HexComplex& mesh_;
   const Neighbours& neighbours_;
-  void take_in(std::uint32_t cell);
-  void relate(std::uint32_t cell, Relation& related) const;
-
   std::vector<bool> inside_;
   std::vector<std::uint8_t> shared_;  ///< facets with the ball, of each hexahedron outside
   /// touching_: the hexahedra outside that share a facet with the ball, in no particular order.
   std::vector<std::uint32_t> cells_, touching_;
-  Front front_;
-  std::array<complex::VertexId, kMaxFrontQuads + 2> rim_{};
-  std::vector<complex::Vertex> on_rim_;
+  std::vector<complex::VertexId> reached_;  ///< the vertices of the ball
+  std::vector<std::uint32_t> first_link_;   ///< of each mesh vertex: place plus 1, 0: not reached
+  std::vector<Link> links_;
+  int quads_ = 0;
+  std::vector<std::pair<int, std::uint32_t>> candidates_;  ///< of grow_somewhere()
+  mutable Rim rim_;
 };
 
 }  // namespace hexatlas::flips

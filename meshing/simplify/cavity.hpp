@@ -40,7 +40,7 @@ class Cavity {
   bool grow(core::Random& random) { return ball_.grow_somewhere(random, weight_); }
 
   [[nodiscard]] int size() const noexcept { return static_cast<int>(ball_.cells().size()); }
-  [[nodiscard]] int quads() const noexcept { return ball_.front().boundary.quads(); }
+  [[nodiscard]] int quads() const noexcept { return ball_.quads(); }
   [[nodiscard]] const flips::SubBall& ball() const noexcept { return ball_; }
 
   /// All balls known that fit and have at most `most` hexahedra, except the cavity as it is.

@@ -265,14 +265,40 @@ void TableSearch::collar_step() {
     adopt(*code, {filling->mesh, flips::FrontOrigin::met, true});
 }
 
+/// Meshes to begin annealing with: the known one, and others by collars with a symmetry or without.
+std::vector<complex::HexComplex> TableSearch::beginnings(const canon::Code& code) const {
+  constexpr int kWorthATry = 40;  // annealing may well take off so many
+  std::vector<complex::HexComplex> result;
+  const int known = hexahedra(code);
+  if (known != kNone) result.push_back(unchecked_mesh(code));
+  const std::size_t wanted = options_.anneal_starts;
+  if (known != kNone && wanted == 1) return result;
+  flips::MeetingOptions plain{
+      .collars = options_.collars, .max_collar = options_.max_collar, .below = known + kWorthATry};
+  flips::MeetingOptions symmetric{.collars = options_.symmetric,
+                                  .max_collar = options_.max_symmetric,
+                                  .below = known + kWorthATry};
+  plain.collars.seed = symmetric.collars.seed = seed_for(code);  // others in each round
+  auto by_collars = flips::varied_meetings(balls_, code, plain);
+  auto by_symmetry = flips::varied_symmetric_meetings(balls_, code, symmetric);
+  for (std::size_t i = 0; i < std::max(by_collars.size(), by_symmetry.size()); ++i)
+    for (auto* fillings : {&by_collars, &by_symmetry})
+      if (i < fillings->size() && result.size() < wanted)
+        result.push_back(std::move((*fillings)[i].mesh));
+  return result;
+}
+
 void TableSearch::anneal_step() {
   const canon::Code* code = next_largest();
   if (code == nullptr) return next_round();
-  if (hexahedra(*code) == kNone) return;
-  const flips::AnnealingOptions options{
-      .rounds = options_.anneal_rounds, .seed = seed_for(*code), .threads = options_.balls.threads};
-  if (auto mesh = flips::smaller_by_annealing(unchecked_mesh(*code), code->quads, balls_, options))
-    adopt(*code, in_order(*code, {*std::move(mesh), flips::FrontOrigin::exchanged}));
+  const std::vector<complex::HexComplex> starts = beginnings(*code);
+  if (starts.empty()) return;
+  auto mesh = flips::least_by_annealing(starts, code->quads, balls_,
+                                        {.rounds = options_.anneal_rounds,
+                                         .seed = seed_for(*code),
+                                         .threads = options_.balls.threads});
+  if (static_cast<int>(mesh.hexahedra.size()) < hexahedra(*code))
+    adopt(*code, in_order(*code, {std::move(mesh), flips::FrontOrigin::exchanged}));
 }
 
 void TableSearch::next_round() {

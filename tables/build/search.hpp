@@ -10,7 +10,8 @@
 /// known before, goes through a longer exchange. *Symmetric collars*, for boundaries that have an
 /// involution, and *collars*: hexahedra are taken off inwards until a known ball fits
 /// (enum/flips/meeting.hpp). *Annealing*: exchange that may break the strict rule for a while
-/// (enum/flips/annealing.hpp). What is found goes back into the beam, with all balls
+/// (enum/flips/annealing.hpp), begun with the known mesh and with others of the same boundary from
+/// collars of all kinds. What is found goes back into the beam, with all balls
 /// on the way, and the next sweep goes on from there: so a mesh one flip away from a smaller one
 /// becomes smaller, too. A mesh without a shelling that the beam could hold is kept beside it.
 ///
@@ -55,10 +56,11 @@ struct SearchOptions {
   /// degree have no short way back to fewer.
   flips::BeamOptions collars{
       .max_quads = flips::kMaxSearchQuads, .fronts_per_class = 20, .fronts_per_level = 3'000};
-  int max_collar = 12;         ///< hexahedra
-  std::size_t collared = 100;  ///< boundaries per round
-  int anneal_rounds = 200;     ///< of annealing, per boundary: about 20 s of one processor
-  std::size_t annealed = 0;    ///< boundaries per round
+  int max_collar = 12;            ///< hexahedra
+  std::size_t collared = 100;     ///< boundaries per round
+  std::size_t annealed = 0;       ///< boundaries per round
+  std::size_t anneal_starts = 8;  ///< meshes that annealing of one boundary begins with
+  int anneal_rounds = 60;         ///< of annealing, per mesh (enum/flips/annealing.hpp)
 };
 
 /// How the mesh of a boundary was found, as a word of the census; and the other way round, for
@@ -147,6 +149,7 @@ class TableSearch {
   void symmetric_step();
   void collar_step();
   void anneal_step();
+  [[nodiscard]] std::vector<complex::HexComplex> beginnings(const canon::Code& code) const;
   [[nodiscard]] const canon::Code* next_largest();
   void begin(Phase phase, std::size_t largest);
   void next_round();

@@ -65,7 +65,8 @@ std::string TableSearch::settings() const {
         static_cast<std::uint64_t>(options_.cut_interior), std::uint64_t{options_.cut_uphill},
         static_cast<std::uint64_t>(options_.max_symmetric), std::uint64_t{options_.symmetrized},
         static_cast<std::uint64_t>(options_.max_collar), std::uint64_t{options_.collared},
-        static_cast<std::uint64_t>(options_.anneal_rounds), std::uint64_t{options_.annealed}})
+        static_cast<std::uint64_t>(options_.anneal_rounds), std::uint64_t{options_.annealed},
+        std::uint64_t{options_.anneal_starts}})
     text += ' ' + std::to_string(number);
   for (const flips::BeamOptions* own : {&options_.symmetric, &options_.collars})
     for (const std::uint64_t number :

@@ -5,6 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
 #include "enum/core/errors.hpp"
 #include "enum/flips/symmetric_front.hpp"
 #include "tests/enum/support.hpp"
@@ -41,6 +46,61 @@ TEST(Meeting, SmallBoundariesGetTheirLeastMeshes) {
     EXPECT_EQ(filling->mesh.hexahedra.size(), least) << text;
     EXPECT_EQ(support::fault_of_filling(filling->mesh, code), "") << text;
   }
+}
+
+/// Valid meshes, sorted as promised; returns the least number of hexahedra of each parity.
+std::array<std::size_t, 2> expect_varied(const std::vector<flips::Filling>& fillings,
+                                         const canon::Code& code) {
+  constexpr std::size_t kNone = 1000;
+  std::array<std::size_t, 2> least{kNone, kNone};
+  std::map<std::size_t, std::size_t> met;
+  std::pair<std::size_t, std::size_t> last{0, 0};
+  for (const auto& filling : fillings) {
+    const std::size_t size = filling.mesh.hexahedra.size();
+    EXPECT_EQ(support::fault_of_filling(filling.mesh, code), "") << canon::to_text(code);
+    const std::pair now(met[size]++, size);
+    EXPECT_LE(last, now);
+    last = now;
+    least[size % 2] = std::min(least[size % 2], size);
+  }
+  return least;
+}
+
+TEST(Meeting, VariedOnesHaveTheBestOneAmongThem) {
+  const Beam beam = balls(limits(18, 10, 2'000), 12);
+  const flips::MeetingOptions options{.collars = limits(20, 10, 300), .max_collar = 6};
+  for (const auto& code : beam.codes()) {
+    if (code.quads < 12 || code.quads > 14) continue;
+    const auto least = expect_varied(flips::varied_meetings(beam, code, options), code);
+    const auto best = flips::best_meeting(flips::BeamBalls(beam), code, options);
+    ASSERT_TRUE(best);
+    EXPECT_EQ(std::min(least[0], least[1]), best->mesh.hexahedra.size());
+    const auto symmetric = flips::varied_symmetric_meetings(beam, code, options);
+    const auto of_symmetric = expect_varied(symmetric, code);
+    if (const auto also = flips::best_symmetric_meeting(flips::BeamBalls(beam), code, options))
+      EXPECT_EQ(std::min(of_symmetric[0], of_symmetric[1]), also->mesh.hexahedra.size());
+    else
+      EXPECT_TRUE(symmetric.empty());
+  }
+}
+
+TEST(Meeting, VariedOnesAreOfEitherParity) {
+  const Beam beam = balls(limits(20, 10, 1'500), 48);
+  const flips::MeetingOptions options{.collars = limits(20, 10, 100), .max_collar = 3};
+  std::size_t tried = 0;
+  for (const auto& code : beam.codes()) {
+    std::array<std::size_t, 2> known{1000, 1000};
+    for (const auto& front : beam.fronts_of(code)) {
+      const auto size = static_cast<std::size_t>(front.level) + 1;
+      known[size % 2] = std::min(known[size % 2], size);
+    }
+    if (known[0] == 1000 || known[1] == 1000) continue;
+    const auto least = expect_varied(flips::varied_meetings(beam, code, options), code);
+    EXPECT_LE(least[0], known[0]) << canon::to_text(code);
+    EXPECT_LE(least[1], known[1]) << canon::to_text(code);
+    if (++tried == 5) break;
+  }
+  EXPECT_EQ(tried, 5U);
 }
 
 TEST(Meeting, CollarsReachWhatBallsDoNot) {

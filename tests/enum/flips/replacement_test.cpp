@@ -101,6 +101,31 @@ TEST(Exchange, IsAllowedExactlyWhereScarsAreDisjoint) {
   EXPECT_GT(refused, 100U);
 }
 
+/// The boundary and the related pairs of its vertices, by sets.
+void expect_front(const SubBall& ball, const std::vector<oracle::Cell>& cells) {
+  const flips::Front& front = ball.front();
+  const auto quads = oracle::boundary(cells);
+  ASSERT_EQ(ball.quads(), static_cast<int>(quads.size()));
+  ASSERT_EQ(front.boundary.quads(), ball.quads());
+  ASSERT_FALSE(front.boundary.validate());
+  std::set<std::set<std::uint32_t>> expected, own;
+  for (const auto& quad : quads) expected.emplace(quad.begin(), quad.end());
+  for (const auto& quad : front.boundary.list_of_quads())
+    own.insert({ball.rim(quad[0]), ball.rim(quad[1]), ball.rim(quad[2]), ball.rim(quad[3])});
+  EXPECT_EQ(own, expected);
+  for (int v = 0; v < front.boundary.vertices(); ++v)
+    for (int w = 0; w < front.boundary.vertices(); ++w) {
+      const auto a = ball.rim(static_cast<complex::Vertex>(v));
+      const auto b = ball.rim(static_cast<complex::Vertex>(w));
+      const bool is_related = std::any_of(cells.begin(), cells.end(), [&](const auto& cell) {
+        return std::count(cell.begin(), cell.end(), a) + std::count(cell.begin(), cell.end(), b) >=
+               2;
+      });
+      const bool knows = (front.related[static_cast<std::size_t>(v)] >> w & 1U) != 0;
+      EXPECT_EQ(knows, is_related);
+    }
+}
+
 TEST(SubBall, GrowsExactlyWhereTheUnionIsAStrictBall) {
   // In a strict mesh a union that is a ball obeys the rule; it is one if it has a shelling.
   const Beam beam = grown(16, 10, 500, 14);
@@ -123,6 +148,8 @@ TEST(SubBall, GrowsExactlyWhereTheUnionIsAStrictBall) {
       const bool expected = oracle::is_shelling(cells);
       ASSERT_EQ(ball.grow(cell), expected);
       ++(expected ? grew : refused);
+      if (!expected) cells.pop_back();
+      if (random() % 4 == 0) expect_front(ball, cells);
     }
   }
   EXPECT_GT(grew, 50U);

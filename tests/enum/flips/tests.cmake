@@ -23,6 +23,9 @@ hexatlas_test(enum_flips_spindle_test long
 hexatlas_test(enum_flips_replacement_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/replacement_test.cpp
   USES enum_flips)
+hexatlas_test(enum_flips_walk_test fast
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/walk_test.cpp
+  USES enum_flips)
 hexatlas_test(enum_flips_annealing_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/annealing_test.cpp
   USES enum_flips)

@@ -64,6 +64,7 @@ build::SearchOptions small(int threads) {
   options.collared = 3;
   options.anneal_rounds = 1;
   options.annealed = 2;
+  options.anneal_starts = 3;
   return options;
 }
 

@@ -1,0 +1,151 @@
+#include "enum/flips/walk.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "enum/cells/cube.hpp"
+#include "enum/flips/exchange.hpp"
+
+namespace hexatlas::flips {
+namespace {
+
+using complex::HexComplex;
+using core::Random;
+
+constexpr std::size_t kSmallestBall = 2;  ///< hexahedra
+constexpr std::size_t kLargestBall = 22;  ///< hardly a larger one is exchanged
+constexpr int kClimb = 10;                ///< hexahedra that one exchange may add
+constexpr std::size_t kSameState = 16;    ///< of so many such exchanges one is made
+constexpr std::size_t kLayersKept = 10'000;
+
+/// The vertices of a facet, ascending, 16 bits each.
+std::uint64_t key_of(const complex::Hexahedron& cell, std::size_t facet) {
+  std::array<std::uint64_t, 4> v{};
+  for (std::size_t i = 0; i < 4; ++i) v[i] = cell[cells::kFacetVertices[facet][i]];
+  std::sort(v.begin(), v.end());
+  return v[0] << 48U | v[1] << 32U | v[2] << 16U | v[3];
+}
+
+/// As SubBall::neighbours_of(), nullopt if not each facet is in one or two hexahedra, in one as
+/// often as the boundary has quads. Most of a step's time would go into sorting.
+std::optional<SubBall::Neighbours> neighbours_if_complex(const HexComplex& mesh, int quads) {
+  struct Slot {
+    std::uint64_t key = 0;
+    std::uint32_t cell = 0, facet = 0;
+    int hexahedra = 0;
+  };
+  std::size_t size = 64;
+  while (size < 2 * cells::kCubeFacets * mesh.hexahedra.size()) size *= 2;
+  std::vector<Slot> slots(size);
+  SubBall::Neighbours result(mesh.hexahedra.size());
+  int in_one = 0;
+  for (std::uint32_t c = 0; c < mesh.hexahedra.size(); ++c)
+    for (std::uint32_t f = 0; f < cells::kCubeFacets; ++f) {
+      result[c][f] = SubBall::kOutside;
+      const std::uint64_t key = key_of(mesh.hexahedra[c], f);
+      std::size_t at = core::mixed(key) & (size - 1);
+      while (slots[at].hexahedra > 0 && slots[at].key != key) at = (at + 1) & (size - 1);
+      Slot& slot = slots[at];
+      if (++slot.hexahedra == 1) {
+        slot = {key, c, f, 1};
+        ++in_one;
+        continue;
+      }
+      if (slot.hexahedra > 2) return std::nullopt;
+      --in_one;
+      result[c][f] = slot.cell;
+      result[slot.cell][slot.facet] = c;
+    }
+  if (in_one != quads) return std::nullopt;
+  return result;
+}
+
+/// An exchange, and what it does to the number of faults.
+struct Draw {
+  Fit fit;
+  int faults = 0;
+};
+
+/// One of the balls that fit in place of the sub-ball, in all positions, drawn by their weights;
+/// nullopt for the sub-ball itself, which has weight 1. Mostly nullopt, too, for a ball with as
+/// many hexahedra and the same scars: nearly always it is the sub-ball again, and most draws are
+/// such.
+std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Climate& climate,
+                         Random& random) {
+  const Front& front = ball.front();
+  canon::CanonicalFlags flags;
+  canon::canonical_flags(front.boundary, flags);
+  const auto number = balls.store().find(flags.code);
+  const int size = static_cast<int>(ball.cells().size());
+  if (!number || balls.store().family(*number).level_floor + 1 > size + kClimb) return std::nullopt;
+  const auto positions = positions_of(front.boundary, flags, ball.related_outside());
+  const Relation quads = relation_of_quads(front.boundary);
+  const auto own_scars = [&](const Position& position) {
+    return scars_of(front.related, quads, front.boundary.vertices(), position.label);
+  };
+  const int own = own_scars(positions[0]).size_in_common(positions[0].scars);
+  const auto& known = balls.store().family(*number).fronts;
+  const Position* drawn = nullptr;
+  std::uint32_t drawn_place = 0;
+  double total = 1;
+  for (const Position& position : positions)
+    for (std::uint32_t place = 0; place < known.size(); ++place) {
+      const int more = known[place].level + 1 - size;
+      if (more > kClimb) continue;
+      const double weight =
+          climate.factor(more, known[place].scars.size_in_common(position.scars) - own);
+      total += weight;
+      if (random.uniform() * total >= weight) continue;
+      drawn = &position;
+      drawn_place = place;
+    }
+  if (drawn == nullptr) return std::nullopt;
+  const StoredFront& ball_drawn = known[drawn_place];
+  const bool is_same = ball_drawn.level + 1 == size && ball_drawn.scars == own_scars(*drawn);
+  if (is_same && random.below(kSameState) != 0) return std::nullopt;
+  return Draw{{{*number, drawn_place}, drawn->label, drawn->is_mirrored},
+              ball_drawn.scars.size_in_common(drawn->scars) - own};
+}
+
+}  // namespace
+
+const Layers& BallLayers::of(FrontId ball) {
+  if (known_.size() >= kLayersKept) known_.clear();
+  const auto [at, is_new] = known_.try_emplace(ball);
+  if (is_new) at->second = layers_along(balls_, ball, Growth::outward);
+  return at->second;
+}
+
+Walk::Walk(HexComplex mesh, int quads, const Beam& balls, std::uint64_t seed)
+    : mesh_(std::move(mesh)),
+      quads_(quads),
+      balls_(&balls),
+      random_(seed),
+      neighbours_(SubBall::neighbours_of(mesh_)),
+      ball_(mesh_, neighbours_, 0) {}
+
+bool Walk::exchange(const Climate& climate, BallLayers& layers) {
+  if (ball_.quads() > balls_->options().max_quads) return false;
+  const auto drawn = draw(ball_, *balls_, climate, random_);
+  if (!drawn) return false;
+  HexComplex made = complex::compacted(
+      exchanged(mesh_, ball_, layers.of(drawn->fit.ball), drawn->fit), quads_ + 2);
+  auto neighbours = neighbours_if_complex(made, quads_);
+  if (!neighbours) return false;
+  mesh_ = std::move(made);
+  neighbours_ = *std::move(neighbours);
+  faults_ += drawn->faults;
+  return true;
+}
+
+bool Walk::step(const Climate& climate, BallLayers& layers) {
+  ball_.restart(static_cast<std::uint32_t>(random_.below(mesh_.hexahedra.size())));
+  const std::size_t size = kSmallestBall + random_.below(kLargestBall - kSmallestBall + 1);
+  const int weight = static_cast<int>(random_.below(5));
+  while (ball_.cells().size() < size)
+    if (!ball_.grow_somewhere(random_, weight)) return false;
+  return exchange(climate, layers);
+}
+
+}  // namespace hexatlas::flips

@@ -1,0 +1,97 @@
+// Claim. A walk knows the faults of its mesh, which keeps its boundary and obeys the strict rule
+// exactly when there are none; it does not depend on the layers at hand.
+// Oracle. Faults by sets: classes of hexahedra joined through facets, pair by pair.
+#include "enum/flips/walk.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <vector>
+
+#include "enum/flips/meeting.hpp"
+#include "tests/enum/flips/small_beam.hpp"
+#include "tests/enum/support.hpp"
+
+namespace {
+
+using namespace hexatlas;
+using flips::Climate;
+using flips::Walk;
+using support::grown;
+
+std::vector<oracle::Cell> cells_of(const complex::HexComplex& mesh) {
+  return {mesh.hexahedra.begin(), mesh.hexahedra.end()};
+}
+
+std::set<std::set<std::uint32_t>> facets_of(const oracle::Cell& cell) {
+  std::set<std::set<std::uint32_t>> result;
+  for (const auto& quad : oracle::boundary({cell})) result.emplace(quad.begin(), quad.end());
+  return result;
+}
+
+/// How many classes of the cells with both vertices there are beyond the first.
+int faults_of_pair(const std::vector<std::set<std::set<std::uint32_t>>>& facets,
+                   const std::set<std::uint32_t>& pair, std::set<std::size_t> cells) {
+  int classes = 0;
+  for (; !cells.empty(); ++classes) {
+    std::vector<std::size_t> reached{*cells.begin()};
+    cells.erase(cells.begin());
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (const auto& facet : facets[reached[i]]) {
+        if (!std::includes(facet.begin(), facet.end(), pair.begin(), pair.end())) continue;
+        for (std::size_t other = 0; other < facets.size(); ++other)
+          if (facets[other].contains(facet) && cells.erase(other) > 0) reached.push_back(other);
+      }
+  }
+  return classes - 1;
+}
+
+int faults_of(const std::vector<oracle::Cell>& cells) {
+  std::vector<std::set<std::set<std::uint32_t>>> facets;
+  std::map<std::set<std::uint32_t>, std::set<std::size_t>> with;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    facets.push_back(facets_of(cells[c]));
+    for (const auto a : cells[c])
+      for (const auto b : cells[c])
+        if (a < b) with[{a, b}].insert(c);
+  }
+  int faults = 0;
+  for (const auto& [pair, own] : with) faults += faults_of_pair(facets, pair, own);
+  return faults;
+}
+
+TEST(Walk, KnowsTheFaultsOfItsMesh) {
+  const auto beam = grown(18, 30, 3'000, 26);
+  const auto codes = beam.codes();
+  support::Random random(3);
+  std::size_t with_faults = 0, without = 0;
+  for (int trial = 0; trial < 6; ++trial) {
+    const auto& code = codes[random.below(codes.size())];
+    const auto start = flips::filling_of(beam, beam.fronts_of(code).back().id).mesh;
+    const auto boundary = oracle::boundary(cells_of(start));
+    const std::uint64_t seed = random.bits();
+    Walk walk(start, code.quads, beam, seed), other(start, code.quads, beam, seed);
+    flips::BallLayers layers(beam);
+    const Climate hot(0.8, 0.7);
+    const Climate cold(0.3, 0.01);
+    for (int step = 0; step < 120; ++step) {
+      const Climate& climate = step / 30 % 2 == 0 ? hot : cold;
+      flips::BallLayers none(beam);
+      const bool is_another = walk.step(climate, layers);
+      ASSERT_EQ(other.step(climate, none), is_another);
+      ASSERT_EQ(other.mesh().hexahedra, walk.mesh().hexahedra);
+      if (!is_another) continue;
+      const auto cells = cells_of(walk.mesh());
+      ASSERT_EQ(walk.faults(), faults_of(cells));
+      ASSERT_EQ(oracle::boundary(cells), boundary);
+      ASSERT_EQ(walk.faults() == 0, oracle::obeys_strict_rule(cells) &&
+                                        support::fault_of_mesh(walk.mesh(), code).empty());
+      ++(walk.faults() == 0 ? without : with_faults);
+    }
+  }
+  EXPECT_GT(with_faults, 20U);
+  EXPECT_GT(without, 20U);
+}
+
+}  // namespace
