@@ -107,6 +107,7 @@ HexComplex least_by_annealing(const std::vector<HexComplex>& starts, int quads, 
   HexComplex least = starts.front();
   std::deque<Tempering> all;
   std::vector<Tempering*> live;
+  live.reserve(starts.size());
   for (const HexComplex& mesh : starts)
     live.push_back(&all.emplace_back(mesh, quads, balls, random.number()));
   for (int rounds = options.rounds;; rounds *= 2) {
