@@ -32,7 +32,7 @@ struct AnnealingOptions {
 /// least one, is a ball under the strict rule, right-handed, with this boundary, and that `balls`
 /// grew from the single hexahedron. Deterministic.
 /// Not promised: that the mesh has a shelling. Cost: about 0.05 s per mesh and round of the first
-/// stage, half as much in all others together for each time that their number is halved.
+/// stage, and as much again for each further stage, until one mesh is left.
 [[nodiscard]] complex::HexComplex least_by_annealing(const std::vector<complex::HexComplex>& starts,
                                                      int quads, const Beam& balls,
                                                      const AnnealingOptions& options);
