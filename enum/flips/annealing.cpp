@@ -23,6 +23,7 @@ constexpr std::array<Climate, 8> kClimates{Climate(0.2865, 0.000158), Climate(0.
                                            Climate(0.4666, 0.0276),   Climate(0.5098, 0.0614),
                                            Climate(0.5513, 0.1193),   Climate(0.5908, 0.2062)};
 constexpr int kStepsPerRound = 500;
+constexpr std::size_t kTried = 4;  ///< of so many meshes one goes on
 
 int size_of(const HexComplex& mesh) { return static_cast<int>(mesh.hexahedra.size()); }
 
@@ -120,7 +121,7 @@ HexComplex least_by_annealing(const std::vector<HexComplex>& starts, int quads, 
     std::stable_sort(live.begin(), live.end(), [](const Tempering* a, const Tempering* b) {
       return a->promise() < b->promise();
     });
-    live.resize((live.size() + 1) / 2);
+    live.resize((live.size() + kTried - 1) / kTried);
   }
 }
 

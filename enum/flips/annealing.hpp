@@ -6,10 +6,11 @@
 /// of the probability. Several walks at once, from cold ones, for which both cost much, to hot
 /// ones, trade places. However hot, a walk stays near the mesh that it began with in some respects:
 /// whether the number of hexahedra is even hardly ever changes. So several meshes compete: after
-/// each stage the more promising half of them goes on, twice as long as before.
+/// each stage the most promising quarter of them goes on, twice as long as before.
 ///
 /// Sources. Annealing: Kirkpatrick, Gelatt, Vecchi (Science 220, 1983); walks that trade places:
-/// Swendsen, Wang (Phys. Rev. Lett. 57, 1986); halving: Karnin, Koren, Somekh (ICML 2013).
+/// Swendsen, Wang (Phys. Rev. Lett. 57, 1986); contests in stages: Karnin, Koren, Somekh (ICML
+/// 2013).
 
 #include <cstdint>
 #include <vector>
@@ -32,7 +33,7 @@ struct AnnealingOptions {
 /// least one, is a ball under the strict rule, right-handed, with this boundary, and that `balls`
 /// grew from the single hexahedron. Deterministic.
 /// Not promised: that the mesh has a shelling. Cost: about 0.05 s per mesh and round of the first
-/// stage, and as much again for each further stage, until one mesh is left.
+/// stage, and in all others together as much again.
 [[nodiscard]] complex::HexComplex least_by_annealing(const std::vector<complex::HexComplex>& starts,
                                                      int quads, const Beam& balls,
                                                      const AnnealingOptions& options);
