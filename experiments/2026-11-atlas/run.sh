@@ -59,6 +59,16 @@ if [[ "${1:-}" == --search ]]; then
   "$program" table build -o annealed-long.hxt --start-from annealed.state "${again[@]}" --max-hexahedra 1 --annealed 3 --anneal-rounds 4500
   "$program" table build -o hexatlas-annealed.hxt --start-from annealed-long.hxt hexatlas-end.hxt --width 1 --per-class 1 "${none[@]}" \
     --max-hexahedra 1
+  # Another sweep; then annealing that begins with many meshes: for the two largest, then with more for the largest.
+  fresh=(--width 900000 --per-class 200 --seed 20261125 --growths 0 --cut 0 --symmetric 0 --collared 0 --rounds 1)
+  thick=(--collar-hexahedra 30 --collar-widest 30 --collar-narrow 3 --symmetric-hexahedra 58 --anneal-rounds 60)
+  "$program" table build -o fresh.hxt --state fresh.state --start-from hexatlas-annealed.hxt "${fresh[@]}" --max-hexahedra 58
+  "$program" table build -o two.hxt --state two.state --start-from fresh.state fresh.hxt "${fresh[@]}" "${thick[@]}" \
+    --max-hexahedra 1 --annealed 2 --anneal-starts 60 --symmetric-width 6000 --symmetric-widest 40 --collar-width 3000
+  "$program" table build -o one.hxt --start-from two.state two.hxt "${fresh[@]}" "${thick[@]}" --max-hexahedra 1 \
+    --annealed 1 --anneal-starts 160 --symmetric-width 4000 --symmetric-widest 38 --collar-width 500
+  "$program" table build -o hexatlas-begun.hxt --start-from hexatlas-annealed.hxt one.hxt --width 1 --per-class 1 "${none[@]}" \
+    --max-hexahedra 1
   # 22 quads anew: the trapezohedron; flips within 22 quads; then collars and cuts for what is missing.
   known=(--width 900000 --per-class 200 --seed 20261124 --rounds 1 --max-hexahedra 1 --growths 0)
   "$program" table build -o trapezohedron-22.hxt --state 22.state --also q1:0888888888a55555dfffff \
