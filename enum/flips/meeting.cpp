@@ -112,7 +112,8 @@ class BallsOfParity final : public BallSource {
 /// Fillings by collars of one thickness after the other.
 class Variety {
  public:
-  /// `collar(i)`: the hexahedra taken off before the cavity i is left.
+  /// `collar_of(i)`: the hexahedra taken off before cavity i is left. The cavities are of one
+  /// thickness.
   template <class CollarOf>
   void add(const Beam& balls, const MeetingOptions& options, int quads,
            const std::vector<Cavity>& cavities, const CollarOf& collar_of) {

@@ -14,7 +14,7 @@
 
 namespace hexatlas::flips {
 
-/// A ball of hexahedra inside a mesh.
+/// A ball of hexahedra inside a mesh. For one thread, even where it is const.
 class SubBall {
  public:
   /// For each hexahedron and facet (enum/cells/cube.hpp) the hexahedron across, or kOutside.
@@ -24,7 +24,8 @@ class SubBall {
   /// For each vertex its hexahedra.
   using CellsAt = std::vector<std::vector<std::uint32_t>>;
 
-  /// A single hexahedron. `mesh` obeys the strict rule; it and `neighbours` outlive the ball.
+  /// A single hexahedron. `mesh` is glued of hexahedra along facets, and need not obey the strict
+  /// rule; it and `neighbours` outlive the ball.
   SubBall(const complex::HexComplex& mesh, const Neighbours& neighbours, std::uint32_t first);
 
   /// Begins again with a single hexahedron. The mesh may have changed since the ball was begun.

@@ -63,8 +63,8 @@ build::SearchOptions small(int threads) {
   options.max_collar = 3;
   options.collared = 3;
   options.anneal_rounds = 1;
-  options.annealed = 2;
-  options.anneal_starts = 3;
+  options.annealed = 1;
+  options.anneal_starts = 2;
   return options;
 }
 
