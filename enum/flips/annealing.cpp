@@ -58,7 +58,7 @@ bool trade(const Walk& cold, const Climate& of_cold, const Walk& hot, const Clim
 class Tempering {
  public:
   Tempering(const HexComplex& mesh, int quads, const Beam& balls, std::uint64_t seed)
-      : balls_(&balls), random_(seed) {
+      : balls_(balls), random_(seed) {
     for (std::size_t i = 0; i < kClimates.size(); ++i) {
       walkers_.emplace_back(mesh, quads, balls, random_.number());
       at_[i] = i;
@@ -66,7 +66,7 @@ class Tempering {
   }
 
   void go_on(int rounds, int threads) {
-    std::vector<BallLayers> layers(kClimates.size(), BallLayers(*balls_));
+    std::vector<BallLayers> layers(kClimates.size(), BallLayers(balls_));
     for (int round = 0; round < rounds; ++round) {
       parallel::parallel_for(threads, at_.size(), [&](std::size_t i) {
         walkers_[at_[i]].go_on(kClimates[i], layers[i]);
@@ -93,7 +93,7 @@ class Tempering {
   }
 
  private:
-  const Beam* balls_;
+  const Beam& balls_;
   Random random_;
   std::deque<Walker> walkers_;
   std::array<std::size_t, kClimates.size()> at_{};  ///< the walker in each climate

@@ -114,11 +114,11 @@ unsigned side_at(unsigned bottom, unsigned u, unsigned v) noexcept {
   return bottom;
 }
 
-/// A flip that glues on a certain hexahedron, whose corners (enum/cells/cube.hpp) are the bottom's
-/// and the top's.
+/// A flip that glues on a certain hexahedron, and the corners of it (enum/cells/cube.hpp) on its
+/// top.
 struct PlacedFlip {
   Flip flip;
-  std::array<cells::CubeVertex, 4> bottom{}, top{};
+  std::array<cells::CubeVertex, 4> top{};
 };
 
 /// The flip that glues a hexahedron on: `corner` has the boundary vertices at its corners,
@@ -138,13 +138,14 @@ std::optional<PlacedFlip> flip_of(const complex::Quadrangulation& boundary,
     const complex::QuadVertices b = boundary.vertices_of(q);
     if (set_of(b) != wanted) continue;
     PlacedFlip placed{{static_cast<complex::Quad>(q), 0}};
+    std::array<cells::CubeVertex, 4> foot{};  // of the bottom, in the order of its quad
     for (std::size_t i = 0; i < 4; ++i) {
       const auto at = std::find(corner.begin(), corner.end(), b[i]) - corner.begin();
-      placed.bottom[i] = static_cast<cells::CubeVertex>(at);
-      placed.top[i] = static_cast<cells::CubeVertex>(placed.bottom[i] ^ 1U << bottom / 2);
+      foot[i] = static_cast<cells::CubeVertex>(at);
+      placed.top[i] = static_cast<cells::CubeVertex>(foot[i] ^ 1U << bottom / 2);
     }
     for (std::size_t i = 0; i < 4; ++i)
-      if (has(patch, side_at(bottom, placed.bottom[i], placed.bottom[(i + 1) % 4])))
+      if (has(patch, side_at(bottom, foot[i], foot[(i + 1) % 4])))
         placed.flip.sides = static_cast<std::uint8_t>(placed.flip.sides | 1U << i);
     return placed;
   }

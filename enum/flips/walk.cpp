@@ -120,14 +120,14 @@ const Layers& BallLayers::of(FrontId ball) {
 Walk::Walk(HexComplex mesh, int quads, const Beam& balls, std::uint64_t seed)
     : mesh_(std::move(mesh)),
       quads_(quads),
-      balls_(&balls),
+      balls_(balls),
       random_(seed),
       neighbours_(SubBall::neighbours_of(mesh_)),
       ball_(mesh_, neighbours_, 0) {}
 
 bool Walk::exchange(const Climate& climate, BallLayers& layers) {
-  if (ball_.quads() > balls_->options().max_quads) return false;
-  const auto drawn = draw(ball_, *balls_, climate, random_);
+  if (ball_.quads() > balls_.options().max_quads) return false;
+  const auto drawn = draw(ball_, balls_, climate, random_);
   if (!drawn) return false;
   HexComplex made = complex::compacted(
       exchanged(mesh_, ball_, layers.of(drawn->fit.ball), drawn->fit), quads_ + 2);

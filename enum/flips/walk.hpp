@@ -93,7 +93,7 @@ class Walk {
 
   complex::HexComplex mesh_;
   int quads_;
-  const Beam* balls_;
+  const Beam& balls_;
   core::Random random_;
   SubBall::Neighbours neighbours_;
   SubBall ball_;
