@@ -20,9 +20,9 @@ namespace hexatlas::build {
 namespace {
 
 constexpr std::size_t kExchangesPerStep = 1024;
-constexpr std::size_t kCutsPerStep = 32;
-constexpr int kShellings = 10;  ///< tries to find a shelling
-constexpr int kNone = 1 << 14;  ///< more than any mesh has
+constexpr std::size_t kBoundariesPerStep = 32;  ///< of those that each get more
+constexpr int kShellings = 10;                  ///< tries to find a shelling
+constexpr int kNone = 1 << 14;                  ///< more than any mesh has
 
 constexpr std::array<std::string_view, flips::kFrontOrigins> kOriginNames{"sweep", "exchange",
                                                                           "collar", "cut", "table"};
@@ -31,6 +31,22 @@ constexpr std::array<std::string_view, flips::kFrontOrigins> kOriginNames{"sweep
 bool is_for(TableSearch::Phase phase, const canon::Code& code) {
   return phase != TableSearch::Phase::symmetric ||
          !flips::involutions_of(canon::decode(code).value()).empty();
+}
+
+/// How many boundaries get collars within one step. A search of wide collars takes long enough to
+/// share it among the threads; that of narrow ones is for one thread. The step must not depend on
+/// the number of threads: what is found at once does not know of each other.
+std::size_t per_step(const flips::BeamOptions& collars) {
+  constexpr std::size_t kWide = 10'000;
+  return collars.fronts_per_level > kWide ? 1 : kBoundariesPerStep;
+}
+
+/// The same for annealing: about two minutes of two processors at most, or one boundary.
+std::size_t annealed_per_step(const SearchOptions& options) {
+  constexpr std::size_t kRounds = 5'000;
+  const std::size_t rounds =
+      2 * options.anneal_starts * static_cast<std::size_t>(options.anneal_rounds);
+  return std::clamp<std::size_t>(kRounds / rounds, 1, kBoundariesPerStep);
 }
 
 /// A shared seed and number of threads.
@@ -122,20 +138,17 @@ std::uint64_t TableSearch::seed_for(const canon::Code& code) const {
 
 void TableSearch::exchange_step() {
   const std::size_t end = std::min(position_ + kExchangesPerStep, targets_.size());
-  std::vector<std::optional<Found>> found(end - position_);
-  parallel::parallel_for(options_.balls.threads, found.size(), [&](std::size_t i) {
-    const canon::Code& code = targets_[position_ + i];
+  std::vector<const canon::Code*> batch;
+  for (; position_ < end; ++position_) batch.push_back(&targets_[position_]);
+  adopt_all(batch, [&](const canon::Code& code, int) -> std::optional<Found> {
     const int known = hexahedra(code);
-    if (known == kNone || options_.growths == 0) return;
+    if (known == kNone || options_.growths == 0) return std::nullopt;
     const bool is_shelled = loose(code) == nullptr;
-    if (auto mesh =
-            flips::smaller_by_replacement(unchecked_mesh(code), code.quads, balls_,
-                                          {options_.growths, seed_for(code), is_shelled, 0}))
-      found[i] = Found{*std::move(mesh), flips::FrontOrigin::exchanged, is_shelled};
+    auto mesh = flips::smaller_by_replacement(unchecked_mesh(code), code.quads, balls_,
+                                              {options_.growths, seed_for(code), is_shelled, 0});
+    if (!mesh) return std::nullopt;
+    return Found{*std::move(mesh), flips::FrontOrigin::exchanged, is_shelled};
   });
-  for (std::size_t i = 0; i < found.size(); ++i)
-    if (found[i]) adopt(targets_[position_ + i], *found[i]);
-  position_ = end;
   if (position_ == targets_.size()) begin(Phase::cuts, options_.cut);
 }
 
@@ -185,15 +198,20 @@ TableSearch::Found TableSearch::in_order(const canon::Code& code, Found found) c
 }
 
 void TableSearch::cut_step() {
-  std::vector<canon::Code> batch;
-  for (; position_ < targets_.size() && batch.size() < kCutsPerStep; ++position_)
-    if (hexahedra(targets_[position_]) >= taken_from_) batch.push_back(targets_[position_]);
+  const auto batch = next_largest(kBoundariesPerStep);
+  if (batch.empty()) return begin(Phase::symmetric, options_.symmetrized);
+  adopt_all(batch, [&](const canon::Code& code, int) { return cut(code); });
+}
+
+/// Finds meshes for several targets, each with one thread, or for one with all threads.
+void TableSearch::adopt_all(const std::vector<const canon::Code*>& batch, const Finder& find) {
+  const int threads = options_.balls.threads;
+  const int inside = batch.size() == 1 ? threads : 1;
   std::vector<std::optional<Found>> found(batch.size());
-  parallel::parallel_for(options_.balls.threads, batch.size(),
-                         [&](std::size_t i) { found[i] = cut(batch[i]); });
+  parallel::parallel_for(threads, batch.size(),
+                         [&](std::size_t i) { found[i] = find(*batch[i], inside); });
   for (std::size_t i = 0; i < batch.size(); ++i)
-    if (found[i]) adopt(batch[i], *found[i]);
-  if (position_ == targets_.size()) begin(Phase::symmetric, options_.symmetrized);
+    if (found[i]) adopt(*batch[i], *found[i]);
 }
 
 void TableSearch::adopt(const canon::Code& code, const Found& found) {
@@ -234,53 +252,70 @@ std::size_t TableSearch::take_over(const format::Table& table, const std::string
   return taken;
 }
 
-/// The next target of a phase for the largest, or nullptr.
-const canon::Code* TableSearch::next_largest() {
-  while (position_ < targets_.size()) {
-    const canon::Code& code = targets_[position_++];
-    if (hexahedra(code) >= taken_from_ && is_for(phase_, code)) return &code;
+/// The next targets of a phase for the largest, at most so many; none at its end.
+std::vector<const canon::Code*> TableSearch::next_largest(std::size_t count) {
+  std::vector<const canon::Code*> result;
+  for (; position_ < targets_.size() && result.size() < count; ++position_) {
+    const canon::Code& code = targets_[position_];
+    if (hexahedra(code) >= taken_from_ && is_for(phase_, code)) result.push_back(&code);
   }
-  return nullptr;
+  return result;
+}
+
+/// Collars that make fewer than `below` hexahedra, by so many threads.
+flips::MeetingOptions TableSearch::collars_for(int below, int threads) const {
+  flips::MeetingOptions result{
+      .collars = options_.collars, .max_collar = options_.max_collar, .below = below};
+  result.collars.threads = threads;
+  return result;
+}
+
+flips::MeetingOptions TableSearch::symmetric_collars_for(const canon::Code& code, int below,
+                                                         int threads) const {
+  flips::MeetingOptions result{
+      .collars = options_.symmetric, .max_collar = options_.max_symmetric, .below = below};
+  result.collars.seed = seed_for(code);  // others in each round
+  result.collars.threads = threads;
+  return result;
 }
 
 void TableSearch::symmetric_step() {
-  const canon::Code* code = next_largest();
-  if (code == nullptr) return begin(Phase::collars, options_.collared);
-  flips::MeetingOptions options{.collars = options_.symmetric,
-                                .max_collar = options_.max_symmetric,
-                                .below = hexahedra(*code)};
-  options.collars.seed = seed_for(*code);  // others in each round
-  auto filling = flips::best_symmetric_meeting(flips::BeamBalls(balls_), *code, options);
-  if (!filling) return;
-  const bool is_shelled = flips::widest_boundary(filling->mesh) <= flips::kMaxStateQuads;
-  adopt(*code, in_order(*code, {std::move(filling->mesh), flips::FrontOrigin::met, is_shelled}));
+  const auto batch = next_largest(per_step(options_.symmetric));
+  if (batch.empty()) return begin(Phase::collars, options_.collared);
+  adopt_all(batch, [&](const canon::Code& code, int threads) -> std::optional<Found> {
+    auto filling = flips::best_symmetric_meeting(
+        flips::BeamBalls(balls_), code, symmetric_collars_for(code, hexahedra(code), threads));
+    if (!filling) return std::nullopt;
+    const bool is_shelled = flips::widest_boundary(filling->mesh) <= flips::kMaxStateQuads;
+    return in_order(code, {std::move(filling->mesh), flips::FrontOrigin::met, is_shelled});
+  });
 }
 
 void TableSearch::collar_step() {
-  const canon::Code* code = next_largest();
-  if (code == nullptr) return begin(Phase::annealing, options_.annealed);
-  const flips::MeetingOptions options{
-      .collars = options_.collars, .max_collar = options_.max_collar, .below = hexahedra(*code)};
-  if (const auto filling = flips::best_meeting(flips::BeamBalls(balls_), *code, options))
-    adopt(*code, {filling->mesh, flips::FrontOrigin::met, true});
+  const auto batch = next_largest(per_step(options_.collars));
+  if (batch.empty()) return begin(Phase::annealing, options_.annealed);
+  adopt_all(batch, [&](const canon::Code& code, int threads) -> std::optional<Found> {
+    auto filling =
+        flips::best_meeting(flips::BeamBalls(balls_), code, collars_for(hexahedra(code), threads));
+    if (!filling) return std::nullopt;
+    return Found{std::move(filling->mesh), flips::FrontOrigin::met, true};
+  });
 }
 
 /// Meshes to begin annealing with: the known one, and others by collars with a symmetry or without.
-std::vector<complex::HexComplex> TableSearch::beginnings(const canon::Code& code) const {
+std::vector<complex::HexComplex> TableSearch::beginnings(const canon::Code& code,
+                                                         int threads) const {
   constexpr int kWorthATry = 40;  // annealing may well take off so many
   std::vector<complex::HexComplex> result;
   const int known = hexahedra(code);
   if (known != kNone) result.push_back(unchecked_mesh(code));
   const std::size_t wanted = options_.anneal_starts;
   if (known != kNone && wanted == 1) return result;
-  flips::MeetingOptions plain{
-      .collars = options_.collars, .max_collar = options_.max_collar, .below = known + kWorthATry};
-  flips::MeetingOptions symmetric{.collars = options_.symmetric,
-                                  .max_collar = options_.max_symmetric,
-                                  .below = known + kWorthATry};
-  plain.collars.seed = symmetric.collars.seed = seed_for(code);  // others in each round
+  flips::MeetingOptions plain = collars_for(known + kWorthATry, threads);
+  plain.collars.seed = seed_for(code);  // others in each round
   auto by_collars = flips::varied_meetings(balls_, code, plain);
-  auto by_symmetry = flips::varied_symmetric_meetings(balls_, code, symmetric);
+  auto by_symmetry = flips::varied_symmetric_meetings(
+      balls_, code, symmetric_collars_for(code, known + kWorthATry, threads));
   for (std::size_t i = 0; i < std::max(by_collars.size(), by_symmetry.size()); ++i)
     for (auto* fillings : {&by_collars, &by_symmetry})
       if (i < fillings->size() && result.size() < wanted)
@@ -289,16 +324,17 @@ std::vector<complex::HexComplex> TableSearch::beginnings(const canon::Code& code
 }
 
 void TableSearch::anneal_step() {
-  const canon::Code* code = next_largest();
-  if (code == nullptr) return next_round();
-  const std::vector<complex::HexComplex> starts = beginnings(*code);
-  if (starts.empty()) return;
-  auto mesh = flips::least_by_annealing(starts, code->quads, balls_,
-                                        {.rounds = options_.anneal_rounds,
-                                         .seed = seed_for(*code),
-                                         .threads = options_.balls.threads});
-  if (static_cast<int>(mesh.hexahedra.size()) < hexahedra(*code))
-    adopt(*code, in_order(*code, {std::move(mesh), flips::FrontOrigin::exchanged}));
+  const auto batch = next_largest(annealed_per_step(options_));
+  if (batch.empty()) return next_round();
+  adopt_all(batch, [&](const canon::Code& code, int threads) -> std::optional<Found> {
+    const std::vector<complex::HexComplex> starts = beginnings(code, threads);
+    if (starts.empty()) return std::nullopt;
+    auto mesh = flips::least_by_annealing(
+        starts, code.quads, balls_,
+        {.rounds = options_.anneal_rounds, .seed = seed_for(code), .threads = threads});
+    if (static_cast<int>(mesh.hexahedra.size()) >= hexahedra(code)) return std::nullopt;
+    return in_order(code, {std::move(mesh), flips::FrontOrigin::exchanged});
+  });
 }
 
 void TableSearch::next_round() {

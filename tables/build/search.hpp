@@ -19,6 +19,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@
 
 #include "enum/canon/code.hpp"
 #include "enum/flips/beam.hpp"
+#include "enum/flips/meeting.hpp"
 #include "enum/flips/replacement.hpp"
 #include "tables/format/table.hpp"
 
@@ -143,14 +145,20 @@ class TableSearch {
     bool is_shelled = false;  ///< its hexahedra can be taken off as add_ball() requires
   };
 
+  using Finder = std::function<std::optional<Found>(const canon::Code&, int threads)>;
+
   void sweep_step();
   void exchange_step();
   void cut_step();
   void symmetric_step();
   void collar_step();
   void anneal_step();
-  [[nodiscard]] std::vector<complex::HexComplex> beginnings(const canon::Code& code) const;
-  [[nodiscard]] const canon::Code* next_largest();
+  [[nodiscard]] flips::MeetingOptions collars_for(int below, int threads) const;
+  [[nodiscard]] flips::MeetingOptions symmetric_collars_for(const canon::Code& code, int below,
+                                                            int threads) const;
+  [[nodiscard]] std::vector<complex::HexComplex> beginnings(const canon::Code& code,
+                                                            int threads) const;
+  [[nodiscard]] std::vector<const canon::Code*> next_largest(std::size_t count);
   void begin(Phase phase, std::size_t largest);
   void next_round();
   [[nodiscard]] Found smaller(const canon::Code& code, const complex::HexComplex& mesh,
@@ -158,6 +166,7 @@ class TableSearch {
   [[nodiscard]] std::optional<Found> cut(const canon::Code& code) const;
   [[nodiscard]] Found in_order(const canon::Code& code, Found found) const;
   void adopt(const canon::Code& code, const Found& found);
+  void adopt_all(const std::vector<const canon::Code*>& batch, const Finder& find);
   [[nodiscard]] std::uint64_t seed_for(const canon::Code& code) const;
   [[nodiscard]] const Loose* loose(const canon::Code& code) const;
   [[nodiscard]] complex::HexComplex unchecked_mesh(const canon::Code& code) const;
