@@ -68,7 +68,7 @@ class Flips(MeshTest):
         return said
 
     def test_random_surfaces(self):
-        for count in (60, 160):
+        for count in program.share_of((60, 160)):
             for seed in range(2):
                 with self.subTest(quads=count, seed=seed):
                     said = self.flip(surfaces.random_surface(count, seed), "out.vtk", "--method", "flips")

@@ -9,6 +9,7 @@ import unittest
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 INPUTS = os.path.join(REPOSITORY, "experiments", "2026-11-quad-balls", "inputs")
 PROGRAM = ""
+SANITIZED = "HEXATLAS_SANITIZED" in os.environ
 
 
 def made_by(*arguments):
@@ -21,6 +22,11 @@ def made_by(*arguments):
             with open(os.path.join(folder, name), "rb") as file:
                 made[name] = file.read()
         return made
+
+
+def share_of(cases):
+    """A quarter of the cases of a long test under a sanitizer, as in tests/share.hpp; else all."""
+    return cases[::4] if SANITIZED else cases
 
 
 def catches(process, number):

@@ -5,6 +5,7 @@ nothing.
 Oracle. A second build; hashlib; the signals are sent from here.
 """
 import hashlib
+import itertools
 import json
 import os
 import signal
@@ -175,7 +176,7 @@ class Build(program.ProgramTest):
         known = ("--max-quads", "12", "--width", "300", *QUICK[4:], "--max-hexahedra", "8")
         self.hexatlas("table", "build", "-o", "known.hxt", *known, "--cut", "0", "--start-from", SHIPPED)
         found = {"0": [], "1": []}
-        for boundaries, seed in (("0", "1"), ("1", "1"), ("0", "2"), ("1", "2"), ("0", "3"), ("1", "3")):
+        for seed, boundaries in itertools.product(program.share_of(("1", "2", "3")), found):
             self.hexatlas("table", "build", "-o", "a.hxt", *known, "--also", code, "--start-from", "known.hxt",
                           "--per-class", "5", "--cut", "1", "--cuts-each", "1", "--seed", seed,
                           "--annealed", boundaries, "--anneal-starts", "2", "--anneal-rounds", "20")

@@ -13,6 +13,7 @@
 #include "tables/check/bound.hpp"
 #include "tables/check/malformed.hpp"
 #include "tests/sabotage/bound_oracle.hpp"
+#include "tests/share.hpp"
 
 namespace hexatlas::check {
 namespace {
@@ -209,10 +210,11 @@ BoundText with_changed_header(BoundText text, std::mt19937_64& random) {
 }
 
 TEST(BoundSabotage, ChangedLogsAreJudgedAsByTheSlowReading) {
+  constexpr int kRounds = support::share_of(HEXATLAS_ROUNDS);
   std::mt19937_64 random(1);
   int accepted = 0;
   int refused = 0;
-  for (int round = 0; round < HEXATLAS_ROUNDS; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     BoundText text = samples()[random() % samples().size()];
     if (round % 3 == 0) {
       text = with_changed_header(std::move(text), random);
@@ -224,8 +226,8 @@ TEST(BoundSabotage, ChangedLogsAreJudgedAsByTheSlowReading) {
     ASSERT_EQ(is_accepted(text), is_right) << text_of(text);
     ++(is_right ? accepted : refused);
   }
-  EXPECT_GT(accepted, HEXATLAS_ROUNDS / 100);
-  EXPECT_GT(refused, HEXATLAS_ROUNDS / 3);
+  EXPECT_GT(accepted, kRounds / 100);
+  EXPECT_GT(refused, kRounds / 3);
 }
 
 /// What a log says of one state and all below it, replaced by each other record.
@@ -283,11 +285,12 @@ TEST(BoundSabotage, OtherBoundariesAreRefused) {
 }
 
 TEST(BoundSabotage, NoShortLogProvesThatTheCubeHasNoMesh) {
+  constexpr int kLongest = support::kSanitized ? 3 : 4;
   for (int flags = 0; flags < 8; ++flags) {
     BoundText text = limited(cube(), (flags & 1) != 0, 1, (flags & 2) != 0 ? 3 : 0, flags >= 4);
     constexpr int kBytes = 8;  // all records and one that is none
     int logs = 1;
-    for (int size = 0; size <= 4; ++size, logs *= kBytes) {
+    for (int size = 0; size <= kLongest; ++size, logs *= kBytes) {
       for (int number = 0; number < logs; ++number) {
         text.log.clear();
         for (int rest = number; static_cast<int>(text.log.size()) < size; rest /= kBytes) {

@@ -14,6 +14,7 @@
 #include "enum/complex/hex_complex.hpp"
 #include "enum/core/errors.hpp"
 #include "tests/enum/support.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
@@ -50,7 +51,7 @@ TEST(Front, GluesExactlyWhatGivesAStrictBall) {
   support::Random random(41);
   int yes = 0;
   int no = 0;
-  for (int walk = 0; walk < 24; ++walk) {
+  for (int walk = 0; walk < support::share_of(24); ++walk) {
     Shelling shelling;
     // Small boundaries make crowded fronts, where much is forbidden.
     const int max_quads = walk % 3 == 0 ? 14 : walk % 3 == 1 ? 20 : 30;
@@ -77,8 +78,8 @@ TEST(Front, GluesExactlyWhatGivesAStrictBall) {
       if (!pushed) break;
     }
   }
-  EXPECT_GT(yes, 3'000);
-  EXPECT_GT(no, 3'000);
+  EXPECT_GT(yes, support::share_of(3'000));
+  EXPECT_GT(no, support::share_of(3'000));
 }
 
 void expect_true_front(const Shelling& shelling) {

@@ -14,6 +14,7 @@
 #include "enum/canon/code.hpp"
 #include "enum/core/errors.hpp"
 #include "tests/enum/hexes/found_meshes.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
@@ -131,7 +132,7 @@ std::set<support::Mesh> images_of(const complex::HexComplex& mesh,
 }
 
 TEST(HexSearch, FindsOneImageOfEachMeshUpToSymmetry) {
-  for (const Quadrangulation& boundary : three_connected(10)) {
+  for (const Quadrangulation& boundary : three_connected(support::kSanitized ? 8 : 10)) {
     hexes::SearchLimits limits = limits_for(boundary, boundary.quads() == 6 ? 8 : 6);
     const auto all = search_all(boundary, limits);
     limits.up_to_symmetry = true;

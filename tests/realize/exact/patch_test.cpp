@@ -14,6 +14,7 @@
 #include "enum/core/errors.hpp"
 #include "realize/exact/patch_separation.hpp"
 #include "tests/oracles/patches.hpp"
+#include "tests/share.hpp"
 
 namespace hexatlas::exact {
 namespace {
@@ -81,7 +82,7 @@ TEST(Patch, SegmentsInSmallPlaces) {
   RandomPlaces places(1);
   int flat = 0;
   int met = 0;
-  for (int round = 0; round < 30'000; ++round) {
+  for (int round = 0; round < support::share_of(30'000); ++round) {
     const std::int64_t range = 1 + round % 3;
     const bool wants_flat = round % 2 == 0;
     const QuadPoints q = wants_flat ? places.flat_quad(range) : places.quad(range);
@@ -110,8 +111,8 @@ TEST(Patch, SegmentsInSmallPlaces) {
       return;
     }
   }
-  EXPECT_GT(flat, 5000);
-  EXPECT_GT(met, 5000);
+  EXPECT_GT(flat, support::share_of(5000));
+  EXPECT_GT(met, support::share_of(5000));
 }
 
 /// Segments through points x(i/4, j/4), everything times 16.

@@ -16,6 +16,7 @@
 #include "tables/check/table_check.hpp"
 #include "tests/counts/known_counts.hpp"
 #include "tests/enum/support.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
@@ -23,14 +24,15 @@ using namespace hexatlas;
 using build::TableSearch;
 
 TEST(ThreeConnectedCodes, AreThoseOfVertexSplits) {
+  constexpr int kMost = support::kSanitized ? 10 : 12;
   std::set<canon::Code> expected;
   auto level = support::four_cycle_class();
-  for (int n = 3; n <= 12; ++n) {
+  for (int n = 3; n <= kMost; ++n) {
     level = support::grown(level);
     for (const auto& [code, map] : level)
       if (n % 2 == 0 && oracle::is_three_connected(map)) expected.insert(code);
   }
-  const auto codes = build::three_connected_codes(12);
+  const auto codes = build::three_connected_codes(kMost);
   EXPECT_TRUE(std::equal(codes.begin(), codes.end(), expected.begin(), expected.end()));
   EXPECT_TRUE(std::is_sorted(codes.begin(), codes.end()));
 }

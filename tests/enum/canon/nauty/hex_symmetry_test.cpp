@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/enum/support.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
@@ -18,10 +19,11 @@ using namespace hexatlas;
 using Certificate = std::vector<std::uint64_t>;
 
 TEST(HexSymmetry, AgreesWithThePlanarCodeOn3ConnectedQuadrangulations) {
+  constexpr int kMost = support::kSanitized ? 11 : 12;
   support::Random random(5);
   auto level = support::four_cycle_class();
   std::map<int, std::size_t> classes;
-  for (int n = 3; n <= 12; ++n) {
+  for (int n = 3; n <= kMost; ++n) {
     level = support::grown(level);
     std::map<Certificate, canon::Code> code_of;
     for (const auto& [code, map] : level) {
@@ -39,8 +41,9 @@ TEST(HexSymmetry, AgreesWithThePlanarCodeOn3ConnectedQuadrangulations) {
       }
     }
   }
-  EXPECT_EQ(classes,
-            (std::map<int, std::size_t>{{6, 1}, {8, 1}, {9, 1}, {10, 3}, {11, 3}, {12, 11}}));
+  std::map<int, std::size_t> expected{{6, 1}, {8, 1}, {9, 1}, {10, 3}, {11, 3}, {12, 11}};
+  std::erase_if(expected, [](const auto& row) { return row.first > kMost; });
+  EXPECT_EQ(classes, expected);
 }
 
 TEST(HexSymmetry, GroupsOfBoxes) {

@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// How many of its cases a long test goes through. A sanitizer takes ten times as long and looks at
+/// what the code does, not at how often it is right: there it is a quarter of them.
+
+namespace hexatlas::support {
+
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool kSanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+inline constexpr bool kSanitized = true;
+#else
+inline constexpr bool kSanitized = false;
+#endif
+#else
+inline constexpr bool kSanitized = false;
+#endif
+
+[[nodiscard]] constexpr int share_of(int cases) { return kSanitized ? cases / 4 : cases; }
+
+}  // namespace hexatlas::support
