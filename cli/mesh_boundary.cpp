@@ -72,7 +72,8 @@ ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
   if (!are_distinct(files, "BOUNDARY", "mesh boundary")) return ExitCode::usage;
   expect_outputs_writable(files);
   const NamedBoundary boundary = boundary_from(options.boundary);
-  const format::Table table = format::Table::open(table_path(options.table));
+  const format::Table table =
+      table_for(options.table, static_cast<std::size_t>(boundary.boundary.quads()));
   const auto ordinal = table.find(canon::from_text(boundary.code).value());
   if (!ordinal) {
     say(fmt::format("{} ({} quads) is not in {}", boundary.code, boundary.boundary.quads(),

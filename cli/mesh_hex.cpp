@@ -164,14 +164,13 @@ struct Sources {
   std::optional<hexahedrize::Method> only;
 };
 
-Sources sources_of(const MeshHexOptions& options) {
+Sources sources_of(const MeshHexOptions& options, std::size_t quads) {
   using hexahedrize::Method;
   Sources result;
   for (const Method method : {Method::table, Method::zones, Method::flips, Method::construction})
     if (options.method == name_of(method)) result.only = method;
   if (options.layers > 0) result.only = Method::flips;
-  if (result.only != Method::construction)
-    result.table = format::Table::open(table_path(options.table));
+  if (result.only != Method::construction) result.table = table_for(options.table, quads);
   if (result.only != Method::table && result.only != Method::zones) {
     const std::string path = sectors_path(options.sectors);
     result.sectors = format::read_sectors(core::read_file(path), path);
@@ -191,7 +190,7 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
   expect_outputs_writable(files_of(options));
   const std::string name = input_name(options.input);
   const mesh::SurfaceMesh surface = io::read_surface(options.input);
-  const Sources sources = sources_of(options);
+  const Sources sources = sources_of(options, surface.quads.size());
   const auto answer =
       hexahedrize::hexahedrize(surface,
                                {.table = sources.table ? &*sources.table : nullptr,

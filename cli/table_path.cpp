@@ -9,14 +9,22 @@ namespace hexatlas::cli {
 
 namespace {
 
-std::string shipped(const std::string& name, const std::string& advice) {
+std::filesystem::path own_folder() {
   std::error_code error;
-  const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+std::optional<std::string> shipped_if_there(const std::string& name) {
   for (const char* place : {"tables", "../share/hexatlas/tables"}) {
-    std::string path = (folder / place / name).lexically_normal().string();
+    std::string path = (own_folder() / place / name).lexically_normal().string();
     if (is_there(path)) return path;
   }
-  throw core::InvalidInput((folder / "tables" / name).string(), advice);
+  return std::nullopt;
+}
+
+std::string shipped(const std::string& name, const std::string& advice) {
+  if (auto path = shipped_if_there(name)) return *std::move(path);
+  throw core::InvalidInput((own_folder() / "tables" / name).string(), advice);
 }
 
 }  // namespace
@@ -31,6 +39,18 @@ std::string table_path(const std::string& asked_for) {
   return shipped("hexatlas.hxt",
                  "the table that comes with the program is not there; name one with --table, or "
                  "make one with `hexatlas table build`");
+}
+
+format::Table table_for(const std::string& asked_for, std::size_t quads) {
+  format::Table table = format::Table::open(table_path(asked_for));
+  const auto has_all = [&](const format::Table& one) {
+    return quads <= static_cast<std::size_t>(one.complete_through());
+  };
+  if (!asked_for.empty() || quads % 2 != 0 || has_all(table)) return table;
+  const auto path = shipped_if_there("hexatlas-22.hxt");
+  if (!path) return table;
+  format::Table larger = format::Table::open(*path);
+  return has_all(larger) ? larger : table;
 }
 
 std::string sectors_path(const std::string& asked_for) {

@@ -19,6 +19,11 @@ namespace hexatlas::cli {
 /// Throws InvalidInput if it was not asked for and is not there.
 [[nodiscard]] std::string table_path(const std::string& asked_for);
 
+/// The table to read for a boundary of so many quads: the one asked for, or of those that come with
+/// the program the first, unless only the larger one claims to have all such boundaries.
+/// Throws as table_path() and format::Table::open() do.
+[[nodiscard]] format::Table table_for(const std::string& asked_for, std::size_t quads);
+
 /// The same for the sectors of the linear construction.
 [[nodiscard]] std::string sectors_path(const std::string& asked_for);
 

@@ -122,20 +122,28 @@ std::optional<complex::HexComplex> searched(const format::Table& table, const ca
   return fill::fill_through(table, code, {.threads = parallel::available_threads()});
 }
 
+/// A code that may be that of a mesh's boundary; nullopt, and said why, if it is of none.
+std::optional<canon::Code> fillable(const std::string& word) {
+  const complex::Quadrangulation boundary = boundary_of(word);
+  if (const auto reason = reason_against_filling(boundary)) {
+    say(fmt::format("{}: no hexahedral mesh exists: {}", word, *reason));
+    return std::nullopt;
+  }
+  expect_canonical(word, boundary);
+  return canon::from_text(word);
+}
+
 }  // namespace
 
 ExitCode table_get(const TableGetOptions& options) {
-  const format::Table table = format::Table::open(table_path(options.table));
+  std::optional<canon::Code> wanted;
   if (options.name.empty()) {
-    const complex::Quadrangulation boundary = boundary_of(options.code);
-    if (const auto reason = reason_against_filling(boundary)) {
-      say(fmt::format("{}: no hexahedral mesh exists: {}", options.code, *reason));
-      return ExitCode::no;
-    }
-    expect_canonical(options.code, boundary);
+    wanted = fillable(options.code);
+    if (!wanted) return ExitCode::no;
   }
-  const canon::Code code = options.name.empty() ? canon::from_text(options.code).value()
-                                                : code_of_name(options.name, table);
+  const format::Table table = wanted ? table_for(options.table, wanted->quads)
+                                     : format::Table::open(table_path(options.table));
+  const canon::Code code = wanted ? *wanted : code_of_name(options.name, table);
   const auto ordinal = table.find(code);
   std::optional<complex::HexComplex> mesh;
   if (ordinal) mesh = table.mesh(*ordinal);

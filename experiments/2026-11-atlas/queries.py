@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Asks for meshes of random boundaries that are not in the table. Prints time and success.
 
-usage: queries.py PROGRAM QUADS NUMBER
+usage: queries.py PROGRAM TABLE QUADS NUMBER
 """
 import json
 import os
@@ -49,7 +49,8 @@ def some_of(program, quads, number, draw, path):
 
 
 def main():
-    program, quads, number = os.path.abspath(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
+    program, table = (os.path.abspath(path) for path in sys.argv[1:3])
+    quads, number = (int(word) for word in sys.argv[3:5])
     draw = random.Random(quads)
     times, hexahedra, misses = [], [], 0
     with tempfile.TemporaryDirectory() as folder:
@@ -64,7 +65,7 @@ def main():
                 code = subprocess.run([program, "code", os.path.join(folder, "s.off")], check=True,
                                       capture_output=True, text=True).stdout.split()[0]
                 began = time.perf_counter()
-                ran = subprocess.run([program, "table", "get", "--code", code, "--search"],
+                ran = subprocess.run([program, "table", "get", "--table", table, "--code", code, "--search"],
                                      check=False, capture_output=True, text=True)
                 times.append(time.perf_counter() - began)
                 if ran.returncode == 0:

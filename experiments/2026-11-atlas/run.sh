@@ -108,8 +108,8 @@ for quads, row in json.load(sys.stdin)["by_quads"].items():
 } 2>check.tsv
 {
   printf 'quads\tqueries\tper cent filled\tmedian s\t95 %% s\tmost s\tmean hexahedra\tmost\n'
-  python3 -B queries.py "$program" 22 500
-  python3 -B queries.py "$program" 24 500
+  python3 -B queries.py "$program" ../../tables/data/hexatlas.hxt 22 500
+  python3 -B queries.py "$program" ../../tables/data/hexatlas.hxt 24 500
 } >queries.tsv
 python3 -B kills.py "$program" "$folder" >kills.tsv
 python3 -B corruptions.py "$program" ../../tables/data/hexatlas.hxt "$folder" >corruptions.tsv

@@ -23,11 +23,15 @@ def signed(data):
     return bytes(data)
 
 
-def without_claim(data):
-    """The same table, but it makes no claim to be complete."""
+def with_claim(data, quads):
+    """The same table, but it claims to be complete through so many quads; 0: not to be."""
     data = bytearray(data)
-    struct.pack_into("<I", data, 72, 0)
+    struct.pack_into("<I", data, 72, quads)
     return signed(data)
+
+
+def without_claim(data):
+    return with_claim(data, 0)
 
 
 def write_census(path, digest, rows):

@@ -7,18 +7,20 @@ tests/sabotage/reference_code.py; hashlib; `hexatlas check` for the meshes that 
 import hashlib
 import json
 import os
+import shutil
 import struct
 import sys
 from xml.etree import ElementTree
 
 import program
 import surfaces
-from table_files import CENSUS_ROWS, TableTest, UnclaimedTest, write_census
+from table_files import CENSUS_ROWS, QUICK, TableTest, UnclaimedTest, with_claim, write_census
 
 sys.path.insert(0, os.path.join(program.REPOSITORY, "tests", "sabotage"))
 import reference_code  # noqa: E402
 
 SHIPPED = os.path.join(program.REPOSITORY, "tables", "data", "hexatlas.hxt")
+TWO_CUBES = "q1:022972977f"
 
 
 def stacked_cubes():
@@ -134,6 +136,40 @@ class Read(TableTest, MeshTest):
         for name in ("missing.hxt", "folder.hxt"):
             for verb in ("info", "check"):
                 self.expect_fault(self.hexatlas("table", verb, name), name)
+
+
+class TwoTables(TableTest):
+    """The larger table beside the program is for boundaries that only it claims to have."""
+
+    def setUp(self):
+        super().setUp()
+        self.copy = shutil.copy(program.PROGRAM, self.path("hexatlas"))
+        os.mkdir(self.path("tables"))
+        cube = program.made_by("table", "build", "-o", "cube.hxt", *QUICK, "--max-hexahedra", "2")["cube.hxt"]
+        self.write(os.path.join("tables", "hexatlas.hxt"), cube)
+
+    def get(self, code, *options):
+        return self.hexatlas("table", "get", *options, "--code", code, executable=self.copy)
+
+    def test_is_asked_for_what_the_first_lacks(self):
+        first, larger = (os.path.join("tables", name) for name in ("hexatlas.hxt", "hexatlas-22.hxt"))
+        surface = os.path.join(program.INPUTS, "two-cubes.obj")
+        cases = ((None, 4), (with_claim(self.good, 8), 4), (with_claim(self.good, 10), 0))
+        for data, code in cases:
+            if data is not None:
+                self.write(larger, data)
+            with self.subTest(claims=data is not None, code=code):
+                ran = self.expect(code, self.get(TWO_CUBES))
+                if code == 4:
+                    self.assertIn(self.path(first), ran.err)
+                self.expect(code, self.hexatlas("mesh", "hex", surface, "-o", "a.vtk", "--method", "table",
+                                                executable=self.copy))
+                self.expect(code, self.hexatlas("mesh", "boundary", TWO_CUBES, "-o", "b.vtk", executable=self.copy))
+                self.expect(0, self.get("q1:08a5df"))
+        self.expect(4, self.get(TWO_CUBES, "--table", first))
+        self.write(larger, self.good[:-1])
+        self.expect_fault(self.get(TWO_CUBES), self.path(larger))
+        self.expect(0, self.get("q1:08a5df"))
 
 
 class ByQuads(UnclaimedTest):
