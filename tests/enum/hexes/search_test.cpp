@@ -132,8 +132,9 @@ std::set<support::Mesh> images_of(const complex::HexComplex& mesh,
 }
 
 TEST(HexSearch, FindsOneImageOfEachMeshUpToSymmetry) {
+  constexpr int kMostOfTheCube = support::kSanitized ? 7 : 8;
   for (const Quadrangulation& boundary : three_connected(support::kSanitized ? 8 : 10)) {
-    hexes::SearchLimits limits = limits_for(boundary, boundary.quads() == 6 ? 8 : 6);
+    hexes::SearchLimits limits = limits_for(boundary, boundary.quads() == 6 ? kMostOfTheCube : 6);
     const auto all = search_all(boundary, limits);
     limits.up_to_symmetry = true;
     for (const bool barred_tops : {false, true}) {
