@@ -93,6 +93,30 @@ if [[ "${1:-}" == --search ]]; then
     --symmetric-width 3000 --symmetric-widest 36 --collared 1 --collar-hexahedra 18 --collar-width 10000 --collar-widest 28
   "$program" table build -o hexatlas-22-anew.hxt --max-quads 22 --start-from largest-22.state one-22.hxt "${known[@]}" \
     "${plain[@]}" --cut 0 --collared 0
+  # 22 quads as one file, from the table of 20 of today: a sweep, flips within 22 quads, collars, cuts, a sweep again.
+  six=(--seed 20261126 --rounds 1 --growths 0)
+  broad=(--width 900000 --per-class 200 --max-quads 22 "${six[@]}")
+  "$program" table build -o swept-22.hxt --state swept-22.state --start-from hexatlas-begun.hxt "${broad[@]}" "${plain[@]}" \
+    --max-hexahedra 58 --cut 0 --collared 0
+  "$program" table build -o flips-22.hxt --max-quads 22 --start-from swept-22.hxt --width 1500000 --per-class 20 --widest 22 \
+    "${six[@]}" "${plain[@]}" --max-hexahedra 62 --cut 0 --collared 0
+  "$program" table build -o collared-22.hxt --state collared-22.state --start-from swept-22.state flips-22.hxt "${broad[@]}" \
+    "${plain[@]}" --max-hexahedra 1 --cut 0 --collared 1 --collar-hexahedra 6 --collar-width 100 --collar-widest 24
+  "$program" table build -o further-22.hxt --state further-22.state --start-from collared-22.state "${broad[@]}" "${plain[@]}" \
+    --max-hexahedra 1 --cut 0 --collared 20000 --collar-hexahedra 9 --collar-width 800 --collar-widest 24
+  "$program" table build -o cut-22.hxt --state cut-22.state --start-from further-22.state "${broad[@]}" "${plain[@]}" \
+    --max-hexahedra 1 --cut 8900 --cuts-each 1 --collared 100 --collar-hexahedra 12 --collar-width 2000 --collar-widest 26
+  "$program" table build -o largest-22.hxt --state largest-22.state --start-from cut-22.state "${broad[@]}" \
+    --max-hexahedra 1 --cut 1200 --cuts-each 1 --cut-growths 1000 --cut-interior 2 --cut-uphill 6 --symmetric 1 \
+    --symmetric-hexahedra 56 --symmetric-width 30000 --symmetric-widest 40 --collared 0
+  "$program" table build -o annealed-22.hxt --start-from largest-22.state "${broad[@]}" "${plain[@]}" --max-hexahedra 1 --cut 0 \
+    --collared 0 --annealed 20 --anneal-starts 4 --anneal-rounds 40 --collar-hexahedra 14 --collar-width 1500 \
+    --collar-widest 28 --collar-narrow 3 --symmetric-hexahedra 50 --symmetric-width 1000 --symmetric-widest 38
+  "$program" table build -o again-22.hxt --start-from annealed-22.hxt hexatlas-begun.hxt "${broad[@]}" "${plain[@]}" \
+    --max-hexahedra 64 --cut 0 --collared 0
+  last=(--width 1 --per-class 1 "${six[@]}" "${plain[@]}" --max-hexahedra 1 --cut 0 --collared 0)
+  "$program" table build -o hexatlas-now.hxt --start-from hexatlas-begun.hxt again-22.hxt "${last[@]}"
+  "$program" table build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas-now.hxt again-22.hxt "${last[@]}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
