@@ -74,7 +74,8 @@ class ProgramTest(unittest.TestCase):
         """Text of both streams unless they go elsewhere."""
         options.setdefault("stdout", subprocess.PIPE)
         options.setdefault("stderr", subprocess.PIPE)
-        done = subprocess.run([PROGRAM, *arguments], input=stdin, cwd=self.folder, timeout=300,
+        options.setdefault("timeout", 300)
+        done = subprocess.run([PROGRAM, *arguments], input=stdin, cwd=self.folder,
                               env=dict(os.environ, **(env or {})), check=False, **options)
         return Ran(done.returncode, (done.stdout or b"").decode(errors="surrogateescape"),
                    (done.stderr or b"").decode(errors="surrogateescape"))
