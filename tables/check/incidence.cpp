@@ -7,35 +7,64 @@ namespace hexatlas::check {
 
 namespace {
 
+/// Vertices of a face in ascending order, two in a number, so that keys compare fast.
+template <std::size_t size>
+using Key = std::array<std::uint64_t, size / 2>;
+
+template <std::size_t size>
+Key<size> key_of(const Hexahedron& cell, const std::array<unsigned, size>& corners) {
+  std::array<std::uint32_t, size> face{};
+  for (std::size_t i = 0; i < size; ++i) {
+    std::size_t at = i;
+    for (; at > 0 && face[at - 1] > cell[corners[i]]; --at) face[at] = face[at - 1];
+    face[at] = cell[corners[i]];
+  }
+  Key<size> key{};
+  for (std::size_t i = 0; i < size; i += 2) key[i / 2] = pair_key(face[i], face[i + 1]);
+  return key;
+}
+
 template <std::size_t size>
 struct Keyed {
-  std::array<std::uint32_t, size> key;
+  Key<size> key;
   std::uint32_t place;
   auto operator<=>(const Keyed&) const = default;
 };
 
-/// The vertex sets of the faces given by `corners`, with their places, sorted.
-template <std::size_t size, std::size_t faces>
-std::vector<Keyed<size>> sorted_faces(
-    std::span<const Hexahedron> cells,
-    const std::array<std::array<unsigned, size>, faces>& corners) {
-  std::vector<Keyed<size>> result;
-  result.reserve(cells.size() * faces);
-  for (const Hexahedron& cell : cells) {
-    for (const auto& face : corners) {
-      Keyed<size> keyed{};
-      for (std::size_t i = 0; i < size; ++i) keyed.key[i] = cell[face[i]];
-      std::sort(keyed.key.begin(), keyed.key.end());
-      keyed.place = static_cast<std::uint32_t>(result.size());
-      result.push_back(keyed);
-    }
+/// Sorts what begins with a key of vertices below `vertex_count`: dealt to their least vertices
+/// first, since those of one vertex are few.
+template <std::size_t size>
+std::vector<Keyed<size>> sorted(const std::vector<Keyed<size>>& faces, std::uint32_t vertex_count) {
+  std::vector<std::uint32_t> end(vertex_count + 1, 0);
+  const auto least = [](const Keyed<size>& face) { return pair_of(face.key[0])[0]; };
+  for (const Keyed<size>& face : faces) ++end[least(face) + 1];
+  for (std::size_t v = 0; v < vertex_count; ++v) end[v + 1] += end[v];
+  std::vector<Keyed<size>> result(faces.size());
+  for (const Keyed<size>& face : faces) result[end[least(face)]++] = face;
+  auto begin = result.begin();
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const auto next = result.begin() + end[v];
+    std::sort(begin, next);
+    begin = next;
   }
-  std::sort(result.begin(), result.end());
   return result;
 }
 
+/// The keys of the faces given by `corners`, with their places, sorted.
+template <std::size_t size, std::size_t faces>
+std::vector<Keyed<size>> sorted_faces(
+    const Incidence& incidence, const std::array<std::array<unsigned, size>, faces>& corners) {
+  std::vector<Keyed<size>> result;
+  result.reserve(incidence.cells.size() * faces);
+  for (const Hexahedron& cell : incidence.cells) {
+    for (const auto& face : corners)
+      result.push_back({key_of(cell, face), static_cast<std::uint32_t>(result.size())});
+  }
+  return sorted(result, incidence.vertex_count);
+}
+
 void find_facets(Incidence& incidence) {
-  const auto faces = sorted_faces(incidence.cells, kQuadCorners);
+  const auto faces = sorted_faces(incidence, kQuadCorners);
   incidence.facet_of.resize(incidence.cells.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (i == 0 || faces[i].key != faces[i - 1].key) incidence.facets.emplace_back();
@@ -48,10 +77,11 @@ void find_facets(Incidence& incidence) {
 }
 
 void find_edges(Incidence& incidence) {
-  const auto faces = sorted_faces(incidence.cells, kEdgeCorners);
+  const auto faces = sorted_faces(incidence, kEdgeCorners);
   incidence.edge_of.resize(incidence.cells.size());
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (i == 0 || faces[i].key != faces[i - 1].key) incidence.edges.push_back(faces[i].key);
+    if (i == 0 || faces[i].key != faces[i - 1].key)
+      incidence.edges.push_back(pair_of(faces[i].key[0]));
     incidence.edge_of[faces[i].place / 12][faces[i].place % 12] =
         static_cast<std::uint32_t>(incidence.edges.size() - 1);
   }

@@ -34,7 +34,34 @@ inline constexpr std::array<std::array<unsigned, 2>, 12> kEdgeCorners = {{{0, 1}
 inline constexpr std::array<unsigned, 8> kCornerBits = {0, 1, 3, 2, 4, 5, 7, 6};
 
 [[nodiscard]] constexpr bool are_adjacent_corners(unsigned a, unsigned b) {
-  return std::popcount(kCornerBits[a] ^ kCornerBits[b]) == 1;
+  const unsigned differing = kCornerBits[a] ^ kCornerBits[b];
+  return differing == 1 || differing == 2 || differing == 4;
+}
+
+/// The corners for which `are_joined` to each corner, ascending.
+template <std::size_t count>
+[[nodiscard]] constexpr std::array<std::array<unsigned, count>, 8> corners_joined(
+    bool (*are_joined)(unsigned, unsigned)) {
+  std::array<std::array<unsigned, count>, 8> joined{};
+  for (unsigned a = 0; a < 8; ++a) {
+    std::size_t found = 0;
+    for (unsigned b = 0; b < 8; ++b) {
+      if (are_joined(a, b)) joined[a][found++] = b;
+    }
+  }
+  return joined;
+}
+inline constexpr auto kCornerNeighbours = corners_joined<3>(are_adjacent_corners);
+/// Those that make a diagonal with it, of a quad or of the hexahedron.
+inline constexpr auto kCornerOpposites =
+    corners_joined<4>([](unsigned a, unsigned b) { return a != b && !are_adjacent_corners(a, b); });
+
+/// Two vertices as one number, in the order of the lesser vertices, then of the greater ones.
+[[nodiscard]] constexpr std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {
+  return a < b ? std::uint64_t{a} << 32U | b : std::uint64_t{b} << 32U | a;
+}
+[[nodiscard]] constexpr std::array<std::uint32_t, 2> pair_of(std::uint64_t key) {
+  return {static_cast<std::uint32_t>(key >> 32U), static_cast<std::uint32_t>(key)};
 }
 
 struct Failure {

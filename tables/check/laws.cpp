@@ -67,48 +67,69 @@ std::string broken_meeting(const Shared& shared) {
   return std::to_string(shared.count) + " vertices that are not one quad of both";
 }
 
-/// Two vertices of a hexahedron that are no edge of it.
-struct Diagonal {
-  std::array<std::uint32_t, 2> pair{};  ///< ascending
-  std::uint32_t cell = 0;
-  auto operator<=>(const Diagonal&) const = default;
+/// What the hexahedra at one vertex say of another one.
+struct Seen {
+  std::uint32_t from = 0;  ///< the vertex and one more: what older ones said no longer counts
+  bool is_edge = false;
+  std::uint32_t diagonals = 0;
+  std::uint32_t cell = 0;  ///< the first one with a diagonal
 };
-
-std::vector<Diagonal> diagonals_of(const Incidence& incidence) {
-  std::vector<Diagonal> result;
-  result.reserve(16 * incidence.cells.size());
-  for (std::uint32_t c = 0; c < incidence.cells.size(); ++c) {
-    for (unsigned i = 0; i < 8; ++i) {
-      for (unsigned j = 0; j < i; ++j) {
-        if (are_adjacent_corners(i, j)) continue;
-        const auto [low, high] = std::minmax(incidence.cells[c][i], incidence.cells[c][j]);
-        result.push_back({{low, high}, c});
-      }
-    }
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
 
 /// Whether the strict rule holds, without a look at each two hexahedra at a vertex, which are too
 /// many where the vertex has a high degree. Two hexahedra that share three vertices share a
 /// diagonal of the first, since three corners of a cube are never all adjacent; two that share two
 /// vertices meet in an edge of both, or share a diagonal of one of them. So those that share a
 /// diagonal of one are all that need a look, if no diagonal of one is an edge of another.
-bool strict_rule_holds(const Incidence& incidence) {
-  const std::vector<Diagonal> diagonals = diagonals_of(incidence);
-  for (std::size_t i = 0, end = 0; i < diagonals.size(); i = end) {
-    while (end < diagonals.size() && diagonals[end].pair == diagonals[i].pair) ++end;
-    if (end - i > 2) return false;  // a diagonal of three hexahedra: their quad lies in two
-    if (std::binary_search(incidence.edges.begin(), incidence.edges.end(), diagonals[i].pair))
-      return false;
-    if (end - i == 2 && !broken_meeting(shared_corners(incidence.cells[diagonals[i].cell],
-                                                       incidence.cells[diagonals[i + 1].cell]))
-                             .empty())
-      return false;
+class StrictRule {
+ public:
+  explicit StrictRule(const Incidence& incidence)
+      : incidence_(incidence), seen_(incidence.vertex_count) {}
+
+  bool holds() {
+    for (std::uint32_t v = 0; v < incidence_.vertex_count; ++v) {
+      if (!holds_at(v)) return false;
+    }
+    return true;
   }
-  return true;
-}
+
+ private:
+  bool holds_at(std::uint32_t v) {
+    const auto corner_in = [&](std::uint32_t c) {
+      const Hexahedron& cell = incidence_.cells[c];
+      return static_cast<std::size_t>(std::find(cell.begin(), cell.end(), v) - cell.begin());
+    };
+    for (const std::uint32_t c : incidence_.cells_at[v]) {
+      for (const unsigned end : kCornerNeighbours[corner_in(c)])
+        of(incidence_.cells[c][end], v).is_edge = true;
+    }
+    for (const std::uint32_t c : incidence_.cells_at[v]) {
+      for (const unsigned end : kCornerOpposites[corner_in(c)]) {
+        const std::uint32_t other = incidence_.cells[c][end];
+        if (other > v && !may_be_diagonal(of(other, v), c)) return false;
+      }
+    }
+    return true;
+  }
+
+  Seen& of(std::uint32_t other, std::uint32_t v) {
+    Seen& seen = seen_[other];
+    if (seen.from != v + 1) seen = {.from = v + 1};
+    return seen;
+  }
+
+  /// A diagonal of three hexahedra is refused, too: their quad lies in two.
+  bool may_be_diagonal(Seen& seen, std::uint32_t c) {
+    if (seen.is_edge || seen.diagonals == 2) return false;
+    if (++seen.diagonals == 1) {
+      seen.cell = c;
+      return true;
+    }
+    return broken_meeting(shared_corners(incidence_.cells[seen.cell], incidence_.cells[c])).empty();
+  }
+
+  const Incidence& incidence_;
+  std::vector<Seen> seen_;
+};
 
 }  // namespace
 
@@ -140,7 +161,7 @@ Finding check_two_hexahedra(const Incidence& incidence) {
 }
 
 Finding check_strict_rule(const Incidence& incidence) {
-  if (strict_rule_holds(incidence)) return std::nullopt;
+  if (StrictRule(incidence).holds()) return std::nullopt;
   std::vector<std::uint32_t> seen_by(incidence.cells.size(), 0);
   for (std::uint32_t a = 0; a < incidence.cells.size(); ++a) {
     for (const std::uint32_t vertex : incidence.cells[a]) {
@@ -193,7 +214,7 @@ Finding check_boundary_sphere(const Incidence& incidence) {
   };
   if (quads.empty()) return fail("is empty");
   struct EdgeOfQuad {
-    std::array<std::uint32_t, 2> edge;
+    std::uint64_t edge;  // pair_key() of its vertices
     std::size_t quad;
     auto operator<=>(const EdgeOfQuad&) const = default;
   };
@@ -201,8 +222,7 @@ Finding check_boundary_sphere(const Incidence& incidence) {
   sides.reserve(4 * quads.size());
   for (std::size_t q = 0; q < quads.size(); ++q) {
     for (std::size_t i = 0; i < 4; ++i) {
-      const auto [low, high] = std::minmax(quads[q][i], quads[q][(i + 1) % 4]);
-      sides.push_back({{low, high}, q});
+      sides.push_back({pair_key(quads[q][i], quads[q][(i + 1) % 4]), q});
     }
   }
   std::sort(sides.begin(), sides.end());
@@ -211,7 +231,7 @@ Finding check_boundary_sphere(const Incidence& incidence) {
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end, ++edges) {
     while (end < sides.size() && sides[end].edge == sides[i].edge) ++end;
     if (end - i != 2) {
-      return fail("has edge " + listed(sides[i].edge) + " in " + std::to_string(end - i) +
+      return fail("has edge " + listed(pair_of(sides[i].edge)) + " in " + std::to_string(end - i) +
                   " quads");
     }
     components.unite(sides[i].quad, sides[i + 1].quad);

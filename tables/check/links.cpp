@@ -7,29 +7,18 @@ namespace hexatlas::check {
 
 namespace {
 
-/// Neighbours of each corner along the edges of the hexahedron.
-constexpr std::array<std::array<unsigned, 3>, 8> corner_neighbours() {
-  std::array<std::array<unsigned, 3>, 8> neighbours{};
-  for (unsigned a = 0; a < 8; ++a) {
-    std::size_t found = 0;
-    for (unsigned b = 0; b < 8; ++b) {
-      if (are_adjacent_corners(a, b)) neighbours[a][found++] = b;
-    }
-  }
-  return neighbours;
-}
-constexpr auto kCornerNeighbours = corner_neighbours();
-
-/// An edge of a link: its two ends as vertices, and its ends as corners 3 t + i of triangles.
+/// An edge of a link: pair_key() of its ends as vertices, and its ends as corners 3 t + i of
+/// triangles, that at the lesser vertex first.
 struct LinkEdge {
-  std::array<std::uint32_t, 2> ends;
+  std::uint64_t ends;
   std::array<std::uint32_t, 2> corners;
 };
 
 /// Works out one link after another in the same memory.
 class LinkChecker {
  public:
-  explicit LinkChecker(const Incidence& incidence) : incidence_(incidence) {}
+  explicit LinkChecker(const Incidence& incidence)
+      : incidence_(incidence), node_of_(incidence.vertex_count, 0) {}
 
   /// What is wrong with the link of `vertex`, which lies in some hexahedron; empty if nothing.
   std::string broken(std::uint32_t vertex) {
@@ -41,15 +30,16 @@ class LinkChecker {
     for (std::size_t i = 0; i < edges_.size(); ++edges) {
       std::size_t end = i + 1;
       while (end < edges_.size() && edges_[end].ends == edges_[i].ends) ++end;
-      if (end - i > 2) return "has edge " + listed(edges_[i].ends) + " in more than two triangles";
+      if (end - i > 2)
+        return "has edge " + listed(pair_of(edges_[i].ends)) + " in more than two triangles";
       if (end - i == 1) ++free_edges;
       if (end - i == 2) glue(edges_[i], edges_[i + 1]);
       i = end;
     }
     if (connected_.sets() != 1) return "is not connected";
-    if (glued_.sets() != nodes()) return "is not a surface: it is pinched at a vertex";
+    if (glued_.sets() != nodes_) return "is not a surface: it is pinched at a vertex";
     const auto euler =
-        static_cast<std::ptrdiff_t>(nodes() + triangles) - static_cast<std::ptrdiff_t>(edges);
+        static_cast<std::ptrdiff_t>(nodes_ + triangles) - static_cast<std::ptrdiff_t>(edges);
     const bool boundary = incidence_.on_boundary[vertex];
     if (boundary != (free_edges > 0)) return "has a boundary that is not in the boundary";
     if (euler == (boundary ? 1 : 2)) return {};
@@ -60,7 +50,7 @@ class LinkChecker {
  private:
   std::size_t collect(std::uint32_t vertex) {
     edges_.clear();
-    nodes_.clear();
+    nodes_ = 0;
     std::uint32_t triangle = 0;
     for (const std::uint32_t c : incidence_.cells_at[vertex]) {
       const Hexahedron& cell = incidence_.cells[c];
@@ -69,21 +59,17 @@ class LinkChecker {
       const auto& neighbours = kCornerNeighbours[corner];
       for (std::uint32_t i = 0; i < 3; ++i) {
         const std::uint32_t j = (i + 1) % 3;
-        LinkEdge edge{{cell[neighbours[i]], cell[neighbours[j]]},
-                      {3 * triangle + i, 3 * triangle + j}};
-        if (edge.ends[0] > edge.ends[1]) {
-          std::swap(edge.ends[0], edge.ends[1]);
-          std::swap(edge.corners[0], edge.corners[1]);
-        }
+        const std::uint32_t a = cell[neighbours[i]], b = cell[neighbours[j]];
+        LinkEdge edge{pair_key(a, b), {3 * triangle + i, 3 * triangle + j}};
+        if (a > b) std::swap(edge.corners[0], edge.corners[1]);
         edges_.push_back(edge);
-        nodes_.push_back(cell[neighbours[i]]);
+        if (node_of_[a] != vertex + 1) ++nodes_;
+        node_of_[a] = vertex + 1;
       }
       ++triangle;
     }
     std::sort(edges_.begin(), edges_.end(),
               [](const LinkEdge& a, const LinkEdge& b) { return a.ends < b.ends; });
-    std::sort(nodes_.begin(), nodes_.end());
-    nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
     return triangle;
   }
 
@@ -95,11 +81,10 @@ class LinkChecker {
     connected_.unite(a.corners[0] / 3, b.corners[0] / 3);
   }
 
-  [[nodiscard]] std::size_t nodes() const { return nodes_.size(); }
-
   const Incidence& incidence_;
   std::vector<LinkEdge> edges_;
-  std::vector<std::uint32_t> nodes_;
+  std::vector<std::uint32_t> node_of_;  ///< the last vertex with it in its link, and one more
+  std::size_t nodes_ = 0;
   DisjointSets glued_{0};
   DisjointSets connected_{0};
 };

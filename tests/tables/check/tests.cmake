@@ -34,7 +34,7 @@ hexatlas_test(sabotage_catalogue_test long
 target_compile_definitions(sabotage_catalogue_test PRIVATE
   HEXATLAS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 hexatlas_test(tables_check_mesh_check_test fast
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/mesh_check_test.cpp
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/mesh_check_test.cpp ${CMAKE_CURRENT_LIST_DIR}/laws_test.cpp
   USES tables_check)
 hexatlas_test(tables_check_read_mesh_test fast
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/read_mesh_test.cpp ${CMAKE_CURRENT_LIST_DIR}/read_binary_vtk_test.cpp
