@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <random>
 
 #include "tests/share.hpp"
@@ -17,23 +18,15 @@ namespace {
 
 using Cells = std::vector<Hexahedron>;
 
+/// Whether two vertices are one step of the lattice apart in the unit cube that the hexahedron is.
 bool is_edge(const Hexahedron& cell, std::uint32_t u, std::uint32_t v) {
-  constexpr std::array<std::array<std::size_t, 2>, 12> kEdges{{{0, 1},
-                                                               {1, 2},
-                                                               {2, 3},
-                                                               {3, 0},
-                                                               {4, 5},
-                                                               {5, 6},
-                                                               {6, 7},
-                                                               {7, 4},
-                                                               {0, 4},
-                                                               {1, 5},
-                                                               {2, 6},
-                                                               {3, 7}}};
-  return std::any_of(kEdges.begin(), kEdges.end(), [&](const auto& edge) {
-    const std::uint32_t a = cell[edge[0]], b = cell[edge[1]];
-    return (a == u && b == v) || (a == v && b == u);
-  });
+  const auto corners = examples::corners_of({0, 0, 0});
+  const auto at = [&](std::uint32_t w) {
+    return corners[static_cast<std::size_t>(std::find(cell.begin(), cell.end(), w) - cell.begin())];
+  };
+  const auto [a, b, c] = at(u);
+  const auto [x, y, z] = at(v);
+  return std::abs(a - x) + std::abs(b - y) + std::abs(c - z) == 1;
 }
 
 /// Whether the common vertices are none, one, or an edge or a quad of both.
