@@ -1,6 +1,7 @@
 #include "tables/check/ball.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <queue>
 #include <tuple>
 

@@ -2,8 +2,8 @@
 /// \file
 /// Internal to the judge: which vertices, edges and quads lie in which hexahedra.
 
+#include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -55,6 +55,11 @@ inline constexpr auto kCornerNeighbours = corners_joined<3>(are_adjacent_corners
 /// Those that make a diagonal with it, of a quad or of the hexahedron.
 inline constexpr auto kCornerOpposites =
     corners_joined<4>([](unsigned a, unsigned b) { return a != b && !are_adjacent_corners(a, b); });
+
+/// The corner of a hexahedron that is `vertex`. Requires that there is one.
+[[nodiscard]] inline std::size_t corner_at(const Hexahedron& cell, std::uint32_t vertex) {
+  return static_cast<std::size_t>(std::find(cell.begin(), cell.end(), vertex) - cell.begin());
+}
 
 /// Two vertices as one number, in the order of the lesser vertices, then of the greater ones.
 [[nodiscard]] constexpr std::uint64_t pair_key(std::uint32_t a, std::uint32_t b) {

@@ -1,6 +1,7 @@
 #include "tables/check/laws.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "tables/check/disjoint_sets.hpp"
 
@@ -94,18 +95,15 @@ class StrictRule {
 
  private:
   bool holds_at(std::uint32_t v) {
-    const auto corner_in = [&](std::uint32_t c) {
-      const Hexahedron& cell = incidence_.cells[c];
-      return static_cast<std::size_t>(std::find(cell.begin(), cell.end(), v) - cell.begin());
-    };
     for (const std::uint32_t c : incidence_.cells_at[v]) {
-      for (const unsigned end : kCornerNeighbours[corner_in(c)])
-        of(incidence_.cells[c][end], v).is_edge = true;
+      const Hexahedron& cell = incidence_.cells[c];
+      for (const unsigned end : kCornerNeighbours[corner_at(cell, v)])
+        of(cell[end], v).is_edge = true;
     }
     for (const std::uint32_t c : incidence_.cells_at[v]) {
-      for (const unsigned end : kCornerOpposites[corner_in(c)]) {
-        const std::uint32_t other = incidence_.cells[c][end];
-        if (other > v && !may_be_diagonal(of(other, v), c)) return false;
+      const Hexahedron& cell = incidence_.cells[c];
+      for (const unsigned end : kCornerOpposites[corner_at(cell, v)]) {
+        if (cell[end] > v && !may_be_diagonal(of(cell[end], v), c)) return false;
       }
     }
     return true;

@@ -54,9 +54,7 @@ class LinkChecker {
     std::uint32_t triangle = 0;
     for (const std::uint32_t c : incidence_.cells_at[vertex]) {
       const Hexahedron& cell = incidence_.cells[c];
-      const auto corner =
-          static_cast<std::size_t>(std::find(cell.begin(), cell.end(), vertex) - cell.begin());
-      const auto& neighbours = kCornerNeighbours[corner];
+      const auto& neighbours = kCornerNeighbours[corner_at(cell, vertex)];
       for (std::uint32_t i = 0; i < 3; ++i) {
         const std::uint32_t j = (i + 1) % 3;
         const std::uint32_t a = cell[neighbours[i]], b = cell[neighbours[j]];

@@ -131,11 +131,9 @@ std::set<support::Mesh> images_of(const complex::HexComplex& mesh,
 }
 
 TEST(HexSearch, FindsOneImageOfEachMeshUpToSymmetry) {
-  std::uint64_t with = 0, without = 0;
   for (const Quadrangulation& boundary : three_connected(10)) {
     hexes::SearchLimits limits = limits_for(boundary, boundary.quads() == 6 ? 8 : 6);
     const auto all = search_all(boundary, limits);
-    without += 2 * all.counts.nodes;
     limits.up_to_symmetry = true;
     for (const bool barred_tops : {false, true}) {
       HexSearch problem(boundary, limits, {.barred_tops = barred_tops});
@@ -148,11 +146,10 @@ TEST(HexSearch, FindsOneImageOfEachMeshUpToSymmetry) {
         images.insert(of_this.begin(), of_this.end());
         return true;
       });
-      with += result.counts.nodes;
+      EXPECT_LE(result.counts.nodes, all.counts.nodes);
       EXPECT_EQ(images, all.meshes);
     }
   }
-  EXPECT_LT(with, without);
 }
 
 TEST(HexSearch, FindsBallsThatObeyTheLaws) {

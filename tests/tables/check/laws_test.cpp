@@ -1,15 +1,15 @@
 // Claim. Exactly the complexes of which each two hexahedra meet in a face of both, or not at all,
 // obey the strict rule.
-// Oracle. A look at each two hexahedra: the edges among their common vertices. Complexes are piles
-// of cubes, and hexahedra on few vertices, with vertices identified or exchanged at random.
+// Oracle. A look at each two hexahedra, by sets. Complexes are piles of cubes, and hexahedra on few
+// vertices, with vertices identified or exchanged at random.
 #include "tables/check/laws.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <random>
 
+#include "tests/oracles/hexahedra.hpp"
 #include "tests/share.hpp"
 #include "tests/tables/check/example_meshes.hpp"
 
@@ -18,40 +18,11 @@ namespace {
 
 using Cells = std::vector<Hexahedron>;
 
-/// Whether two vertices are one step of the lattice apart in the unit cube that the hexahedron is.
-bool is_edge(const Hexahedron& cell, std::uint32_t u, std::uint32_t v) {
-  const auto corners = examples::corners_of({0, 0, 0});
-  const auto at = [&](std::uint32_t w) {
-    return corners[static_cast<std::size_t>(std::find(cell.begin(), cell.end(), w) - cell.begin())];
-  };
-  const auto [a, b, c] = at(u);
-  const auto [x, y, z] = at(v);
-  return std::abs(a - x) + std::abs(b - y) + std::abs(c - z) == 1;
-}
-
-/// Whether the common vertices are none, one, or an edge or a quad of both.
-bool meet_in_a_face(const Hexahedron& a, const Hexahedron& b) {
-  std::vector<std::uint32_t> common;
-  std::copy_if(a.begin(), a.end(), std::back_inserter(common),
-               [&](std::uint32_t v) { return std::find(b.begin(), b.end(), v) != b.end(); });
-  std::size_t edges = 0;
-  for (std::size_t i = 0; i < common.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (is_edge(a, common[i], common[j]) != is_edge(b, common[i], common[j])) return false;
-      if (is_edge(a, common[i], common[j])) ++edges;
-    }
-  }
-  return common.size() < 2 || (common.size() == 2 && edges == 1) ||
-         (common.size() == 4 && edges == 4);
-}
-
 bool each_two_meet_in_a_face(const Cells& cells) {
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (!meet_in_a_face(cells[i], cells[j])) return false;
-    }
-  }
-  return true;
+  std::vector<oracle::Cell> in_bits_order;
+  for (const Hexahedron& h : cells)
+    in_bits_order.push_back({h[0], h[1], h[3], h[2], h[4], h[5], h[7], h[6]});
+  return oracle::obeys_strict_rule(in_bits_order);
 }
 
 /// Identifies two vertices, or exchanges two corners of a hexahedron.
