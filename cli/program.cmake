@@ -1,22 +1,28 @@
-# The program. CLI11 is costly to compile, so one file includes it, without optimization.
+# What CLI11 reads. It is costly to compile: once, and without much optimization.
+set(command_line cli/command_line.cpp cli/command_line_enum.cpp cli/command_line_mesh.cpp cli/command_line_view.cpp)
+add_library(command_line OBJECT ${command_line})
+target_compile_options(command_line PRIVATE -O1)
+
 add_executable(hexatlas
-  cli/boundary_input.cpp cli/cell_input.cpp cli/check.cpp cli/check_hybrid.cpp cli/code.cpp cli/command_line.cpp
-  cli/command_line_enum.cpp cli/command_line_mesh.cpp cli/completeness.cpp cli/enum_hexmeshes.cpp
+  cli/boundary_input.cpp cli/cell_input.cpp cli/check.cpp cli/check_hybrid.cpp cli/code.cpp
+  cli/completeness.cpp cli/enum_hexmeshes.cpp
   cli/enum_lists.cpp cli/enum_quadrangulations.cpp cli/enum_shellings.cpp cli/enum_triangulations.cpp
   cli/interrupt.cpp cli/long_work.cpp cli/main.cpp cli/mesh_boundary.cpp cli/mesh_delaunay.cpp cli/mesh_hex.cpp cli/mesh_hybrid.cpp cli/hybrid_text.cpp cli/mesh_quads.cpp
   cli/mesh_untangle.cpp cli/mesh_output.cpp
   cli/mesh_report.cpp cli/mesh_hex_report.cpp cli/histogram_chart.cpp cli/output.cpp
   cli/realize.cpp cli/reproduce.cpp cli/simplify.cpp cli/table_bounds.cpp cli/table_build.cpp cli/table_by_quads.cpp
-  cli/table_check.cpp cli/table_path.cpp cli/table_read.cpp cli/table_write.cpp cli/child_process.cpp cli/command_line_view.cpp
+  cli/table_check.cpp cli/table_path.cpp cli/table_read.cpp cli/table_write.cpp cli/child_process.cpp
   cli/view.cpp cli/view_page.cpp cli/view_picture.cpp)
 include(${CMAKE_CURRENT_SOURCE_DIR}/cli/view/view.cmake)
 hexatlas_share_units(hexatlas cli/mesh_delaunay.cpp cli/mesh_quads.cpp cli/enum_hexmeshes.cpp cli/enum_quadrangulations.cpp cli/child_process.cpp)
-target_include_directories(hexatlas PRIVATE ${PROJECT_SOURCE_DIR})
-target_link_libraries(hexatlas PRIVATE enum_hexes enum_quads meshing_delaunay meshing_hexahedrize meshing_hybrid meshing_io meshing_quality meshing_simplify meshing_view
-  realize_solve tables_build tables_check tables_format tables_sheet CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
-set_source_files_properties(cli/command_line.cpp cli/command_line_enum.cpp cli/command_line_mesh.cpp
-  cli/command_line_view.cpp PROPERTIES
-  COMPILE_OPTIONS "-O1")
+hexatlas_share_units(command_line)
+foreach(target command_line hexatlas)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${target} PRIVATE enum_hexes enum_quads meshing_delaunay meshing_hexahedrize meshing_hybrid
+    meshing_io meshing_quality meshing_simplify meshing_view realize_solve tables_build tables_check tables_format
+    tables_sheet CLI11::CLI11 fmt::fmt nlohmann_json::nlohmann_json)
+endforeach()
+target_link_libraries(hexatlas PRIVATE command_line)
 set_target_properties(hexatlas PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR})
 
 # The commit goes into manifests; a build outside a checkout says so.

@@ -23,7 +23,7 @@ function(hexatlas_check_uses layer)
 endfunction()
 
 function(hexatlas_share_units target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${HEXATLAS_UNITY} UNITY_BUILD_BATCH_SIZE 8
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${HEXATLAS_UNITY} UNITY_BUILD_BATCH_SIZE 16
     UNITY_BUILD_CODE_BEFORE_INCLUDE "// NOLINTNEXTLINE(bugprone-suspicious-include)")
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

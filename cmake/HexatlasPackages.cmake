@@ -34,6 +34,6 @@ if(HEXATLAS_TESTS)
     target_link_libraries(hexatlas_cgal INTERFACE PkgConfig::mpfr PkgConfig::gmp Boost::headers)
     target_compile_options(hexatlas_cgal INTERFACE -frounding-math)  # its intervals need it
   else()
-    message(STATUS "CGAL not found: meshing_delaunay_cgal_test is not built")
+    message(STATUS "CGAL not found: meshing_delaunay_cgal_fast_tests is not built")
   endif()
 endif()

@@ -112,7 +112,8 @@ own_sources() { # all|deep|changed
   case $1 in
     all)
       sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' build/release/compile_commands.json |
-        grep -E "/Unity/unity_|^$PWD/($(IFS='|' && echo "${folders[*]}"))/.*[.]cpp$" | sort
+        grep -E "^$PWD/(build/release/.*/Unity/unity_|($(IFS='|' && echo "${folders[*]}"))/).*[.]c(pp|xx)$" |
+        grep -v "^$PWD/build/release/tests/" | sort
       ;;
     deep) find "${folders[@]}" -name '*.cpp' | sort ;;
     changed)

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// How many of its cases a long test goes through. A sanitizer takes ten times as long and looks at
-/// what the code does, not at how often it is right: there it is a quarter of them.
+/// How many of its cases a test goes through. A sanitizer takes ten times as long and looks at what
+/// the code does, not at how often it is right: there it is a quarter of them. Some tests are in
+/// two programs, one of which runs in release only and goes further.
 
 namespace hexatlas::support {
 
@@ -18,5 +19,9 @@ inline constexpr bool kSanitized = false;
 #endif
 
 [[nodiscard]] constexpr int share_of(int cases) { return kSanitized ? cases / 4 : cases; }
+
+[[nodiscard]] constexpr int by_length(int cases, int in_a_long_test) {
+  return HEXATLAS_LONG != 0 ? in_a_long_test : cases;
+}
 
 }  // namespace hexatlas::support

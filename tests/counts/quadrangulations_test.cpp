@@ -10,13 +10,14 @@
 #include "enum/canon/nauty/hex_symmetry.hpp"
 #include "tests/counts/known_counts.hpp"
 #include "tests/counts/quadrangulations.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
 using namespace hexatlas;
 
 TEST(QuadrangulationCounts, AreTheKnownOnes) {
-  constexpr int kMaxQuads = HEXATLAS_MAX_QUADS;
+  constexpr int kMaxQuads = support::by_length(11, 13);
   support::Random random(7);
   std::map<std::vector<std::uint64_t>, canon::Code> code_of;
   const auto compare_with_nauty = [&](const complex::Quadrangulation& q, const canon::Code& code) {

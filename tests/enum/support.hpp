@@ -40,6 +40,14 @@ inline complex::Quadrangulation quadrangulation(const oracle::Rotations& map) {
   return complex::Quadrangulation::from_quads(oracle::quads_of(map)).value();
 }
 
+inline std::vector<oracle::Cell> cells_of(const complex::HexComplex& mesh) {
+  return {mesh.hexahedra.begin(), mesh.hexahedra.end()};
+}
+
+inline complex::Quadrangulation boundary_of(const std::string& code) {
+  return canon::decode(canon::from_text(code).value()).value();
+}
+
 /// Vertices renamed, quads in another order, each begun at another corner, mirrored or not.
 inline complex::Quadrangulation scrambled(const complex::Quadrangulation& q, Random& random,
                                           bool mirrored) {

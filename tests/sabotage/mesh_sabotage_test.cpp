@@ -204,14 +204,14 @@ TEST(MeshSabotage, NoDamagedFileIsTakenForAnotherMesh) {
     const std::string bytes = format.write(good.mesh);
     ASSERT_EQ(judge(format.name, bytes, good), "");
     std::size_t refused = 0;
-    constexpr std::size_t kRounds = 700;
-    for (std::size_t round = 0; round < kRounds; ++round) {
+    constexpr std::size_t kDamages = 700;
+    for (std::size_t round = 0; round < kDamages; ++round) {
       std::string bad = bytes;
       char& byte = bad[random() % bad.size()];
       byte = round % 2 == 0 ? static_cast<char>(random() % 256) : "0123456789 \n-."[random() % 14];
       if (!judge(format.name, bad, good).empty()) ++refused;
     }
-    EXPECT_GE(refused, kRounds / 4);
+    EXPECT_GE(refused, kDamages / 4);
     for (std::size_t size = 0; size < bytes.size(); size += 11) {
       const std::string cut = bytes.substr(0, size);
       static_cast<void>(judge(format.name, cut, good));

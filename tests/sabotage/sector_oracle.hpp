@@ -331,7 +331,9 @@ inline std::string text_of_file(const std::string& path) {
 
 /// The only sector of that file: 30 hexahedra on 49 vertices, with scars.
 inline SlowSector scarred_sector() {
-  return slow_read(text_of_file(HEXATLAS_SCARRED_SECTOR)).value().at(0);
+  return slow_read(text_of_file(HEXATLAS_SOURCE_DIR "/tests/tables/check/scarred.hxs"))
+      .value()
+      .at(0);
 }
 
 }  // namespace hexatlas::sabotage

@@ -12,6 +12,7 @@
 #include "tables/check/table_check.hpp"
 #include "tests/sabotage/sample_tables.hpp"
 #include "tests/sabotage/table_replay.hpp"
+#include "tests/share.hpp"
 
 namespace hexatlas::check {
 namespace {
@@ -19,12 +20,14 @@ namespace {
 using sabotage::SampleTable;
 using sabotage::TableEntry;
 
+constexpr int kRounds = support::by_length(700, 4000);
 constexpr std::uint32_t kMostQuads = 10;
 const std::map<unsigned, std::size_t> kNumber{{6, 1}, {8, 1}, {10, 3}};  // A007022
 
 const SampleTable& whole() {
   static const SampleTable kTable = [] {
-    SampleTable table = sabotage::complete_table(HEXATLAS_SHIPPED_TABLE, kMostQuads);
+    SampleTable table =
+        sabotage::complete_table(HEXATLAS_SOURCE_DIR "/tables/data/hexatlas.hxt", kMostQuads);
     table.per_block = 2;  // with one block any greater number would do
     return table;
   }();
@@ -147,7 +150,7 @@ TEST(TableRecordsSabotage, WhatIsAcceptedIsTrue) {
   ASSERT_TRUE(oracle.is_true(whole()));
   ASSERT_TRUE(check_table_bytes(whole().bytes()).accepted);
   std::map<std::string, int> rounds;
-  for (int round = 0; round < HEXATLAS_ROUNDS; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     SampleTable table = whole();
     for (auto changes = 1 + random() % 3; changes > 0; --changes) change(table, random);
     const TableVerdict verdict = check_table_bytes(table.bytes());
@@ -163,15 +166,15 @@ TEST(TableRecordsSabotage, WhatIsAcceptedIsTrue) {
     ASSERT_EQ(verdict.claimed_through, table.complete_through);
     ++rounds[verdict.complete_through == kMostQuads ? "accepted, complete" : "accepted, less"];
   }
-  EXPECT_GT(rounds["refused"], HEXATLAS_ROUNDS / 2);
-  EXPECT_GT(rounds["accepted, complete"], HEXATLAS_ROUNDS / 100);
-  EXPECT_GT(rounds["accepted, less"], HEXATLAS_ROUNDS / 100);
+  EXPECT_GT(rounds["refused"], kRounds / 2);
+  EXPECT_GT(rounds["accepted, complete"], kRounds / 100);
+  EXPECT_GT(rounds["accepted, less"], kRounds / 100);
 }
 
 TEST(TableRecordsSabotage, NoChangedByteIsAccepted) {
   std::mt19937 random(19);
   const std::string good = whole().bytes();
-  for (int round = 0; round < 4 * HEXATLAS_ROUNDS; ++round) {
+  for (int round = 0; round < 4 * kRounds; ++round) {
     std::string bad = good;
     for (auto changes = 1 + random() % 4; changes > 0; --changes) {
       const std::size_t at = random() % bad.size();
@@ -189,7 +192,7 @@ TEST(TableRecordsSabotage, SealedBytesThatAreAcceptedAreClaimsOnly) {
   sabotage::Parts parts;
   const std::string good = whole().bytes(parts);
   std::size_t refused = 0;
-  for (int round = 0; round < HEXATLAS_ROUNDS; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     std::string bad = good;
     const std::size_t at = random() % parts.blocks;
     if (at >= 96 && at < 128) continue;
@@ -209,7 +212,7 @@ TEST(TableRecordsSabotage, SealedBytesThatAreAcceptedAreClaimsOnly) {
     }
     ASSERT_TRUE(is_bound) << "byte " << at << " of " << good.size();
   }
-  EXPECT_GT(refused, static_cast<std::size_t>(HEXATLAS_ROUNDS) / 2);
+  EXPECT_GT(refused, static_cast<std::size_t>(kRounds) / 2);
 }
 
 }  // namespace

@@ -1,6 +1,1 @@
-hexatlas_test(enum_core_files_test fast
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/files_test.cpp
-  USES enum_core)
-hexatlas_test(enum_core_rank_test fast
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/rank_test.cpp
-  USES enum_core)
+hexatlas_tests(enum_core fast SOURCES files_test.cpp rank_test.cpp USES enum_core)

@@ -21,11 +21,8 @@ using namespace hexatlas;
 using complex::Vertex;
 using flips::Beam;
 using flips::SubBall;
+using support::cells_of;
 using support::grown;
-
-std::vector<oracle::Cell> cells_of(const complex::HexComplex& mesh) {
-  return {mesh.hexahedra.begin(), mesh.hexahedra.end()};
-}
 
 /// The boundary without its orientation: exchanged() does not turn left-handed hexahedra.
 std::set<std::set<std::uint32_t>> boundary_sets(const std::vector<oracle::Cell>& cells) {

@@ -356,7 +356,7 @@ flips::SymmetricBeam spindle_beam(const flips::BeamOptions& options) {
   return {{{q, flips::relation_of_quads(q)}, flips::involutions_of(q)[0].image}, options};
 }
 
-flips::BeamOptions limits(std::size_t per_class, std::size_t per_level, int threads) {
+flips::BeamOptions beam_limits(std::size_t per_class, std::size_t per_level, int threads) {
   flips::BeamOptions options;
   options.max_quads = 28;
   options.fronts_per_class = per_class;
@@ -367,7 +367,7 @@ flips::BeamOptions limits(std::size_t per_class, std::size_t per_level, int thre
 
 TEST(SymmetricBeam, KeepsItsLimits) {
   const auto states = [](std::size_t per_class, std::size_t per_level) {
-    flips::SymmetricBeam beam = spindle_beam(limits(per_class, per_level, 2));
+    flips::SymmetricBeam beam = spindle_beam(beam_limits(per_class, per_level, 2));
     std::size_t count = 0;
     while (beam.level() < 10 && beam.expand_level()) count += beam.nodes().size();
     EXPECT_EQ(beam.is_exhaustive(), per_class > 1'000) << "limits that bite, and others";
@@ -375,7 +375,7 @@ TEST(SymmetricBeam, KeepsItsLimits) {
   };
   EXPECT_LT(states(2, 10), states(2, 100));
   EXPECT_LT(states(1, 100'000), states(10'000, 100'000));
-  flips::BeamOptions small = limits(1'000, 1'000, 1);
+  flips::BeamOptions small = beam_limits(1'000, 1'000, 1);
   small.max_fronts = 500;
   flips::SymmetricBeam beam = spindle_beam(small);
   std::size_t most = 0;
@@ -387,8 +387,8 @@ TEST(SymmetricBeam, KeepsItsLimits) {
 }
 
 TEST(SymmetricBeam, IsTheSameForAnyNumberOfThreads) {
-  flips::SymmetricBeam one = spindle_beam(limits(3, 400, 1));
-  flips::SymmetricBeam three = spindle_beam(limits(3, 400, 3));
+  flips::SymmetricBeam one = spindle_beam(beam_limits(3, 400, 1));
+  flips::SymmetricBeam three = spindle_beam(beam_limits(3, 400, 3));
   std::size_t most = 0;
   while (one.level() < 14 && one.expand_level()) {
     ASSERT_TRUE(three.expand_level());

@@ -18,11 +18,8 @@ namespace {
 using namespace hexatlas;
 using flips::Climate;
 using flips::Walk;
+using support::cells_of;
 using support::grown;
-
-std::vector<oracle::Cell> cells_of(const complex::HexComplex& mesh) {
-  return {mesh.hexahedra.begin(), mesh.hexahedra.end()};
-}
 
 std::set<std::set<std::uint32_t>> facets_of(const oracle::Cell& cell) {
   std::set<std::set<std::uint32_t>> result;

@@ -24,10 +24,7 @@ using hexes::HexFrontier;
 using hexes::Hexmesh;
 using hexes::HexmeshProblem;
 using hexes::Topology;
-
-complex::Quadrangulation boundary_of(const std::string& code) {
-  return canon::decode(canon::from_text(code).value()).value();
-}
+using support::boundary_of;
 
 HexFrontier all_of(const HexmeshProblem& problem, int threads = 1) {
   HexFrontier frontier = problem.begin();

@@ -21,13 +21,11 @@ using namespace hexatlas;
 using complex::Quadrangulation;
 using hexes::HexSearch;
 using hexes::Prunings;
+using support::boundary_of;
 using support::limits_for;
 using support::search_all;
 using support::three_connected;
 
-Quadrangulation boundary_of(const std::string& code) {
-  return canon::decode(canon::from_text(code).value()).value();
-}
 const char* const kCube = "q1:08a5df";
 const char* const kSpindle = "q1:088a577f";
 const char* const kPyramid = "q1:02228a2a5777df7f";

@@ -2,8 +2,7 @@
 // isomorphism; lists are shellings.
 // Oracle. Counts of an independent program; flips of fronts with whole meshes told apart by nauty,
 // and the exhaustive search for all meshes of small boundaries, neither of which shares code with
-// the census; hexahedra met as sets. With
-// HEXATLAS_MOST_HEXAHEDRA = 5 or 7.
+// the census; hexahedra met as sets.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,6 +22,7 @@
 #include "tests/counts/known_counts.hpp"
 #include "tests/enum/hexes/found_meshes.hpp"
 #include "tests/enum/support.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
@@ -30,7 +30,7 @@ using namespace hexatlas;
 using hexes::Corners;
 using hexes::SmallBall;
 
-constexpr int kMost = HEXATLAS_MOST_HEXAHEDRA;
+constexpr int kMost = support::by_length(5, 7);
 
 using Certificate = std::vector<std::uint64_t>;
 

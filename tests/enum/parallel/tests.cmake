@@ -1,3 +1,1 @@
-hexatlas_test(enum_parallel_test threads
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/parallel_for_test.cpp
-  USES enum_parallel)
+hexatlas_tests(enum_parallel threads SOURCES parallel_for_test.cpp USES enum_parallel)

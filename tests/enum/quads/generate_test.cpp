@@ -15,12 +15,19 @@
 
 #include "enum/core/errors.hpp"
 #include "tests/enum/support.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
 using namespace hexatlas;
 using quads::Class;
 using quads::Sums;
+
+// How many quads are gone to.
+constexpr int kSplitQuads = support::by_length(10, 12);
+constexpr int kCodedSimple = support::by_length(11, 14);
+constexpr int kSimple = support::by_length(13, 16);
+constexpr int kConnected = support::by_length(19, 22);
 
 constexpr std::array kClasses{Class::simple, Class::min_degree_3, Class::three_connected};
 
@@ -56,7 +63,7 @@ struct Collector {
 
 TEST(Generate, SameCodesAndSumsAsVertexSplits) {
   auto level = support::four_cycle_class();
-  for (int n = 2; n <= HEXATLAS_SPLIT_QUADS; ++n) {
+  for (int n = 2; n <= kSplitQuads; ++n) {
     if (n > 2) level = support::grown(level);
     for (const Class which : kClasses) {
       std::set<canon::Code> expected;
@@ -76,7 +83,7 @@ TEST(Generate, SameCodesAndSumsAsVertexSplits) {
 
 TEST(Generate, NoCodeTwiceAndGroupsAreRight) {
   for (const Class which : kClasses)
-    for (int n = 2; n <= (which == Class::simple ? HEXATLAS_CODED_SIMPLE : 16); ++n) {
+    for (int n = 2; n <= (which == Class::simple ? kCodedSimple : 16); ++n) {
       Collector met{which, n, {}};
       const Sums sums = quads::generate(which, n, std::ref(met));
       EXPECT_EQ(sums.classes, met.codes.size());
@@ -85,7 +92,7 @@ TEST(Generate, NoCodeTwiceAndGroupsAreRight) {
 }
 
 TEST(Generate, ThreeConnectedAreThoseOfMinimumDegree3ThatPassTheTest) {
-  for (int n = 6; n <= HEXATLAS_CONNECTED; ++n) {
+  for (int n = 6; n <= kConnected; ++n) {
     Sums filtered;
     quads::generate(Class::min_degree_3, n,
                     [&](const complex::Quadrangulation& q, int automorphisms, int rotations) {
@@ -120,7 +127,7 @@ const std::map<int, Row> kPublished{{6, {1, 1, 1}},
 
 TEST(Generate, PublishedCounts) {
   for (const auto& [n, row] : kPublished) {
-    if (n > HEXATLAS_CONNECTED) continue;
+    if (n > kConnected) continue;
     EXPECT_EQ(quads::generate(Class::min_degree_3, n).classes, row.min_degree_3) << n;
     const Sums sums = quads::generate(Class::three_connected, n);
     EXPECT_EQ(sums.classes, row.three_connected) << n;
@@ -128,7 +135,7 @@ TEST(Generate, PublishedCounts) {
   }
   const std::vector<std::uint64_t> simple{1,   1,    2,     3,     9,      18,      62,      198,
                                           803, 3378, 15882, 77185, 393075, 2049974, 10938182};
-  for (int n = 2; n <= HEXATLAS_SIMPLE; ++n) {
+  for (int n = 2; n <= kSimple; ++n) {
     const Sums sums = quads::generate(Class::simple, n);
     EXPECT_EQ(sums.classes, simple[static_cast<std::size_t>(n - 2)]) << n;
     EXPECT_EQ(sums.rooted, oracle::rooted_simple(static_cast<std::uint64_t>(n))) << n;

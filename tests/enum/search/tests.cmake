@@ -1,6 +1,2 @@
-hexatlas_test(enum_search_depth_first_test fast
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/depth_first_test.cpp
-  USES enum_search)
-hexatlas_test(enum_search_pool_test fast threads
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/pool_test.cpp
-  USES enum_search enum_parallel)
+hexatlas_tests(enum_search fast SOURCES depth_first_test.cpp USES enum_search)
+hexatlas_tests(enum_search threads SOURCES pool_test.cpp USES enum_search enum_parallel)

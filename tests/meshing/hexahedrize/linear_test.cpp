@@ -24,9 +24,11 @@ using complex::QuadSphere;
 using format::Sector;
 using hexahedrize::LinearMesh;
 using support::judged;
+using support::small_spheres;
 
 const std::vector<Sector>& shipped() {
-  static const auto kSectors = format::read_sectors(core::read_file(HEXATLAS_SECTORS), "sectors");
+  static const auto kSectors = format::read_sectors(
+      core::read_file(HEXATLAS_SOURCE_DIR "/tables/data/linear-bound.hxs"), "sectors");
   return kSectors;
 }
 
@@ -66,15 +68,6 @@ void expect_accepted(const QuadSphere& sphere) {
   const check::Verdict verdict = judged(expect_meshed(sphere, shipped()).mesh, sphere);
   EXPECT_TRUE(verdict.accepted) << sphere.quads.size() << " quads: " << verdict.reason;
   EXPECT_FALSE(verdict.boundary_reversed);
-}
-
-std::vector<QuadSphere> small_spheres(int quads) {
-  std::vector<QuadSphere> result;
-  quads::generate(quads::Class::three_connected, quads,
-                  [&](const complex::Quadrangulation& q, int, int) {
-                    result.push_back(support::sphere_of(q));
-                  });
-  return result;
 }
 
 TEST(Linear, MeshesAllSmallQuadrangulations) {

@@ -22,12 +22,13 @@ using hexahedrize::PeeledMesh;
 using hexahedrize::PeelOptions;
 
 inline const std::vector<format::Sector>& sectors() {
-  static const auto kSectors = format::read_sectors(core::read_file(HEXATLAS_SECTORS), "sectors");
+  static const auto kSectors = format::read_sectors(
+      core::read_file(HEXATLAS_SOURCE_DIR "/tables/data/linear-bound.hxs"), "sectors");
   return kSectors;
 }
 
 inline const format::Table& table() {
-  static const auto kTable = format::Table::open(HEXATLAS_SHIPPED_TABLE);
+  static const auto kTable = format::Table::open(HEXATLAS_SOURCE_DIR "/tables/data/hexatlas.hxt");
   return kTable;
 }
 
@@ -86,15 +87,6 @@ inline PeeledMesh expect_peeled(const QuadSphere& sphere, const format::Table* f
   EXPECT_GE(made.account.layers, options.layers);
   EXPECT_GE(made.account.peeled, options.layers * sphere.quads.size());
   return made;
-}
-
-inline std::vector<QuadSphere> small_spheres(int quads) {
-  std::vector<QuadSphere> result;
-  quads::generate(quads::Class::three_connected, quads,
-                  [&](const complex::Quadrangulation& q, int, int) {
-                    result.push_back(support::sphere_of(q));
-                  });
-  return result;
 }
 
 }  // namespace hexatlas::support

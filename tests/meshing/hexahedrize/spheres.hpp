@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// 3-connected quadrangulations of any size, for the tests of meshers: random ones, and two
-/// kinds that are regular.
+/// 3-connected quadrangulations of any size, for the tests of meshers: random ones, all
+/// small ones, and two kinds that are regular.
 ///
 /// Random ones grow from the cube by two steps that keep them 3-connected, that is, without double
 /// edges and without two quads that share two opposite vertices. A quad is replaced by a smaller
@@ -22,6 +22,7 @@
 #include "enum/complex/quad_surface.hpp"
 #include "enum/complex/quadrangulation.hpp"
 #include "enum/core/random.hpp"
+#include "enum/quads/generate.hpp"
 
 namespace hexatlas::support {
 
@@ -175,6 +176,15 @@ inline complex::QuadSphere block(const std::array<VertexId, 3>& cubes) {
           quads.push_back(quad);
         }
   return sphere_of(quads);
+}
+
+/// All 3-connected ones with so many quads.
+inline std::vector<complex::QuadSphere> small_spheres(int quads) {
+  std::vector<complex::QuadSphere> result;
+  quads::generate(
+      quads::Class::three_connected, quads,
+      [&](const complex::Quadrangulation& q, int, int) { result.push_back(sphere_of(q)); });
+  return result;
 }
 
 /// The surface of n x n x n cubes: 6 n^2 quads.

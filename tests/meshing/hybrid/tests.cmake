@@ -1,13 +1,9 @@
-hexatlas_test(meshing_hybrid_test fast
-  SOURCES hybrid/candidates_test.cpp hybrid/classes_test.cpp hybrid/graph_test.cpp hybrid/quads_test.cpp
-    hybrid/selection_test.cpp
+hexatlas_tests(meshing_hybrid fast
+  SOURCES candidates_test.cpp classes_test.cpp graph_test.cpp lattice_test.cpp quads_test.cpp selection_test.cpp
+  USES meshing_hybrid meshing_delaunay realize_exact tables_check)
+hexatlas_tests(meshing_hybrid long
+  SOURCES brute_force_test.cpp
   USES meshing_hybrid meshing_delaunay tables_check)
-hexatlas_test(meshing_hybrid_brute_force_test long
-  SOURCES hybrid/brute_force_test.cpp
+hexatlas_tests(meshing_hybrid threads
+  SOURCES threads_test.cpp
   USES meshing_hybrid meshing_delaunay tables_check)
-hexatlas_test(meshing_hybrid_threads_test threads
-  SOURCES hybrid/threads_test.cpp
-  USES meshing_hybrid meshing_delaunay tables_check)
-hexatlas_test(meshing_hybrid_lattice_test fast
-  SOURCES hybrid/lattice_test.cpp
-  USES meshing_hybrid realize_exact)

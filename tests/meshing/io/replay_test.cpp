@@ -41,7 +41,7 @@ std::string bytes_of(const std::filesystem::path& path) {
 }
 
 TEST(Replay, SeedsOfEachFormat) {
-  const std::filesystem::path corpus = std::filesystem::path(HEXATLAS_TESTS_DIR) / "fuzz/corpus";
+  const std::filesystem::path corpus = HEXATLAS_SOURCE_DIR "/tests/fuzz/corpus";
   for (const auto& [name, format] : kFormats) {
     const auto files = files_below(corpus / name);
     EXPECT_FALSE(files.empty()) << name;
@@ -58,7 +58,7 @@ TEST(Replay, SeedsOfEachFormat) {
 
 /// Each finding is given to every reader: a defect of one may be near in another.
 TEST(Replay, Findings) {
-  for (const auto& path : files_below(std::filesystem::path(HEXATLAS_TESTS_DIR) / "regressions/io"))
+  for (const auto& path : files_below(HEXATLAS_SOURCE_DIR "/tests/regressions/io"))
     for (const auto& [name, format] : kFormats) {
       SCOPED_TRACE(path.string() + " as " + name);
       EXPECT_NO_THROW(static_cast<void>(fuzz::check_bytes(bytes_of(path), format)));

@@ -1,11 +1,9 @@
-# CMAKE_CURRENT_LIST_DIR is this folder wherever the file is included from.
-foreach(name read malformed malformed_vtk malformed_gmsh prefixes round_trip paths replay points ply
-    tetrahedra hybrid mutations)
-  hexatlas_test(meshing_io_${name}_test fast
-    SOURCES ${CMAKE_CURRENT_LIST_DIR}/${name}_test.cpp USES meshing_io)
-endforeach()
-target_compile_definitions(meshing_io_replay_test PRIVATE
-  HEXATLAS_TESTS_DIR="${PROJECT_SOURCE_DIR}/tests")
+hexatlas_tests(meshing_io fast
+  SOURCES hybrid_test.cpp malformed_gmsh_test.cpp malformed_test.cpp malformed_vtk_test.cpp mutations_test.cpp
+    paths_test.cpp ply_test.cpp points_test.cpp prefixes_test.cpp read_test.cpp replay_test.cpp round_trip_test.cpp
+    tetrahedra_test.cpp
+  ALONE tetrahedra_test.cpp
+  USES meshing_io)
 
 add_executable(meshing_io_mesh_tool ${CMAKE_CURRENT_LIST_DIR}/mesh_tool.cpp)
 target_link_libraries(meshing_io_mesh_tool PRIVATE meshing_io)

@@ -1,4 +1,4 @@
-hexatlas_test(meshing_quality_test fast
-  SOURCES quality/hexahedron_test.cpp quality/report_test.cpp quality/volume_test.cpp quality/self_meeting_test.cpp
+hexatlas_tests(meshing_quality fast
+  SOURCES cells_test.cpp hexahedron_test.cpp least_shape_test.cpp report_test.cpp self_meeting_test.cpp volume_test.cpp
+  ALONE least_shape_test.cpp
   USES meshing_quality)
-hexatlas_test(meshing_quality_cells_test fast SOURCES quality/cells_test.cpp quality/least_shape_test.cpp USES meshing_quality)

@@ -1,6 +1,4 @@
-hexatlas_test(meshing_simplify_test fast
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/simplify_test.cpp
-  USES meshing_simplify)
+hexatlas_tests(meshing_simplify fast SOURCES simplify_test.cpp USES meshing_simplify)
 # Used by experiments/2026-11-simplify.
 add_executable(meshing_simplify_blow_up ${CMAKE_CURRENT_LIST_DIR}/blow_up_tool.cpp)
 target_include_directories(meshing_simplify_blow_up PRIVATE ${PROJECT_SOURCE_DIR})

@@ -1,3 +1,1 @@
-hexatlas_test(meshing_view_test fast
-  SOURCES ${CMAKE_CURRENT_LIST_DIR}/structure_test.cpp
-  USES meshing_view)
+hexatlas_tests(meshing_view fast SOURCES structure_test.cpp USES meshing_view)

@@ -1,3 +1,1 @@
-hexatlas_test(realize_chirotope_test fast
-  SOURCES chirotope/chirotope_test.cpp
-  USES realize_chirotope)
+hexatlas_tests(realize_chirotope fast SOURCES chirotope_test.cpp USES realize_chirotope)

@@ -1,13 +1,6 @@
-hexatlas_test(realize_exact_test fast
-  SOURCES exact/orientation_test.cpp exact/integer_orientation_test.cpp exact/jacobian_test.cpp exact/volume_test.cpp
-    exact/patch_test.cpp
+hexatlas_tests(realize_exact fast
+  SOURCES in_orthosphere_test.cpp in_sphere_test.cpp in_sphere_ties_test.cpp integer_orientation_test.cpp
+    jacobian_filter_test.cpp jacobian_test.cpp limbs_test.cpp orientation_test.cpp patch_test.cpp prism_test.cpp
+    prism_threshold_test.cpp volume_test.cpp
+  ALONE integer_orientation_test.cpp jacobian_filter_test.cpp prism_threshold_test.cpp volume_test.cpp
   USES realize_exact)
-hexatlas_test(realize_in_sphere_test fast
-  SOURCES exact/in_sphere_test.cpp exact/in_sphere_ties_test.cpp
-  USES realize_exact)
-hexatlas_test(realize_in_orthosphere_test fast
-  SOURCES exact/in_orthosphere_test.cpp
-  USES realize_exact)
-hexatlas_test(realize_limbs_test fast SOURCES exact/limbs_test.cpp USES realize_exact)
-hexatlas_test(realize_prism_test fast SOURCES exact/prism_test.cpp exact/prism_threshold_test.cpp USES realize_exact)
-hexatlas_test(realize_jacobian_filter_test fast SOURCES exact/jacobian_filter_test.cpp USES realize_exact)

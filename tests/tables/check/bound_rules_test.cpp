@@ -155,8 +155,7 @@ class Walk {
                                  bool is_least) {
     std::vector<BoundCorners> tops;
     while (state_.open_count() > 0 && !testing::Test::HasFailure()) {
-      put_on(state_.open_facets().front(),
-             {static_cast<int>(mesh_.vertices - state_.vertices())});
+      put_on(state_.open_facets().front(), {static_cast<int>(mesh_.vertices - state_.vertices())});
       const BoundHexahedron& last = state_.hexahedra().back().vertices;
       tops.push_back({last[4], last[5], last[6], last[7]});
       EXPECT_FALSE(is_least && has_lesser_image(state_, automorphisms));
@@ -243,7 +242,8 @@ class Walk {
 };
 
 const format::Table& shipped() {
-  static const format::Table table = format::Table::open(HEXATLAS_SHIPPED_TABLE);
+  static const format::Table table =
+      format::Table::open(HEXATLAS_SOURCE_DIR "/tables/data/hexatlas.hxt");
   return table;
 }
 

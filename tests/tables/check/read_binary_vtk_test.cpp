@@ -13,9 +13,12 @@
 
 #include "tables/check/malformed.hpp"
 #include "tables/check/mesh.hpp"
+#include "tests/tables/check/replaced.hpp"
 
 namespace hexatlas::check {
 namespace {
+
+using examples::replaced;
 
 /// Most significant byte first.
 template <class Number>
@@ -94,12 +97,6 @@ std::string message(const std::string& bytes) {
 void expect_refused(const Content& content, const Style& style, const std::string& words) {
   const std::string said = message(file(content, style));
   EXPECT_NE(said.find(words), std::string::npos) << said << ", expected: " << words;
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
 }
 
 TEST(ReadBinaryVtk, InEachStyle) {

@@ -12,9 +12,12 @@
 #include "tables/check/malformed.hpp"
 #include "tests/tables/check/example_files.hpp"
 #include "tests/tables/check/example_meshes.hpp"
+#include "tests/tables/check/replaced.hpp"
 
 namespace hexatlas::check {
 namespace {
+
+using examples::replaced;
 
 Mesh sample() {
   examples::Example example = examples::cubes(examples::box(2, 2, 2));
@@ -28,12 +31,6 @@ void expect_equal(const Mesh& a, const Mesh& b) {
   EXPECT_EQ(std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof(Point)), 0);
   EXPECT_EQ(a.hexahedra, b.hexahedra);
   EXPECT_EQ(a.quads, b.quads);
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
 }
 
 void expect_malformed(const std::string& name, const std::string& bytes, const std::string& words) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/counts/quadrangulations.hpp"
+#include "tests/share.hpp"
 
 namespace hexatlas::check {
 namespace {
@@ -26,7 +27,7 @@ TEST(RootedCount, IsThePinnedOne) {
 }
 
 TEST(RootedCount, IsTheSumOverVertexSplits) {
-  constexpr int kMaxQuads = HEXATLAS_MAX_QUADS;
+  constexpr int kMaxQuads = support::by_length(10, 12);
   const auto table = counts::quadrangulations(
       kMaxQuads, [](const complex::Quadrangulation&, const canon::Code&) {});
   const std::vector<std::uint64_t> counted = rooted_three_connected(kMaxQuads);

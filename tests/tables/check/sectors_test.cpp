@@ -12,11 +12,13 @@
 
 #include "tables/check/malformed.hpp"
 #include "tests/sabotage/sector_oracle.hpp"
+#include "tests/tables/check/replaced.hpp"
 
 namespace hexatlas::check {
 namespace {
 
 using namespace sabotage;
+using examples::replaced;
 
 using Sectors = std::vector<SlowSector>;
 
@@ -49,13 +51,6 @@ void expect_malformed(const std::string& text, std::size_t line, const std::stri
                                                                              << said;
     EXPECT_NE(said.find(part), std::string::npos) << part << ": " << said;
   }
-}
-
-/// The text with its first `old` replaced.
-std::string replaced(std::string text, const std::string& old, const std::string& fresh) {
-  const std::size_t at = text.find(old);
-  EXPECT_NE(at, std::string::npos) << old;
-  return text.replace(at, old.size(), fresh);
 }
 
 SlowHex mirrored(const SlowHex& h) { return {h[1], h[0], h[3], h[2], h[5], h[4], h[7], h[6]}; }

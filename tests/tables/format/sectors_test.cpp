@@ -21,7 +21,9 @@ namespace {
 using namespace hexatlas;
 using format::Sector;
 
-std::string shipped_bytes() { return core::read_file(HEXATLAS_SECTORS); }
+std::string shipped_bytes() {
+  return core::read_file(HEXATLAS_SOURCE_DIR "/tables/data/linear-bound.hxs");
+}
 
 /// What is said of the bytes after the name of the file; empty if they are read.
 std::string fault_of(const std::string& bytes) {
