@@ -117,16 +117,19 @@ if [[ "${1:-}" == --search ]]; then
   last=(--width 1 --per-class 1 "${six[@]}" "${plain[@]}" --max-hexahedra 1 --cut 0 --collared 0)
   "$program" table build -o hexatlas-now.hxt --start-from hexatlas-begun.hxt again-22.hxt "${last[@]}"
   "$program" table build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas-now.hxt again-22.hxt "${last[@]}"
-  # A wider sweep and annealing of many; each annealing was stopped, after 8 and after 33 minutes, and the table made of what it had saved.
+  # A wider sweep and annealing of many; each annealing was stopped, after 8 and after 33 minutes, and the table made of what it had saved;
+  # the second one went on then for 100 minutes.
   many=(--anneal-rounds 40 --collar-widest 28 --collar-narrow 3 --symmetric-hexahedra 50 --symmetric-widest 38)
   quiet=(--rounds 1 --growths 0 --cut 0 --collared 0 "${plain[@]}")
   "$program" table build -o contest.hxt --start-from again-22.state hexatlas-now.hxt --width 900000 --per-class 200 --seed 20261126 \
     --max-hexahedra 1 "${quiet[@]}" "${many[@]}" --annealed 142 --anneal-starts 8 --collar-hexahedra 24 --collar-width 1500 --symmetric-width 1000
   wider=(--width 2200000 --per-class 200 --seed 20261127 "${quiet[@]}")
   "$program" table build -o wide.hxt --state wide.state --start-from hexatlas-now.hxt again-22.hxt "${wider[@]}" --memory 14 --max-hexahedra 56
-  "$program" table build -o all.hxt --start-from wide.state contest.hxt wide.hxt "${wider[@]}" --max-hexahedra 1 "${many[@]}" \
+  "$program" table build -o all.hxt --state all.state --start-from wide.state contest.hxt wide.hxt "${wider[@]}" --max-hexahedra 1 "${many[@]}" \
     --annealed 860 --anneal-starts 6 --collar-hexahedra 22 --collar-width 1000 --symmetric-width 800
-  "$program" table build -o hexatlas.hxt --start-from hexatlas-now.hxt all.hxt "${last[@]/20261126/20261127}"
+  "$program" table build -o hexatlas-earlier.hxt --start-from hexatlas-now.hxt all.hxt "${last[@]/20261126/20261127}"
+  "$program" table build -o all2.hxt --start-from all.state contest.hxt wide.hxt "${wider[@]}" --max-hexahedra 1
+  "$program" table build -o hexatlas.hxt --start-from hexatlas-earlier.hxt all2.hxt "${last[@]/20261126/20261127}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
