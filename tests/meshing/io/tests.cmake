@@ -2,7 +2,6 @@ hexatlas_tests(meshing_io fast
   SOURCES hybrid_test.cpp malformed_gmsh_test.cpp malformed_test.cpp malformed_vtk_test.cpp mutations_test.cpp
     paths_test.cpp ply_test.cpp points_test.cpp prefixes_test.cpp read_test.cpp replay_test.cpp round_trip_test.cpp
     tetrahedra_test.cpp
-  ALONE tetrahedra_test.cpp
   USES meshing_io)
 
 add_executable(meshing_io_mesh_tool ${CMAKE_CURRENT_LIST_DIR}/mesh_tool.cpp)

@@ -152,7 +152,7 @@ TEST(Tetrahedra, Preconditions) {
   EXPECT_THROW(static_cast<void>(io::to_text(view(mesh), vtu)), core::PreconditionViolated);
 }
 
-class Files : public testing::Test {
+class TetrahedraFiles : public testing::Test {
  protected:
   void SetUp() override {
     std::filesystem::remove_all(folder_);
@@ -171,7 +171,7 @@ class Files : public testing::Test {
                                    testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
-TEST_F(Files, AreWhatIsInMemory) {
+TEST_F(TetrahedraFiles, AreWhatIsInMemory) {
   std::mt19937_64 random(1);
   const mesh::TetMesh mesh{random_points(random, 60000), random_cells<4>(random, 60000, 9)};
   for (const FileFormat format : kTetFormats) {
@@ -185,7 +185,7 @@ TEST_F(Files, AreWhatIsInMemory) {
   }
 }
 
-TEST_F(Files, WhatWasThereStays) {
+TEST_F(TetrahedraFiles, WhatWasThereStays) {
   const std::string file = path("a.hxtet");
   io::write_tetrahedra(file, view(kTwo));
   mesh::TetMesh bad = kTwo;
