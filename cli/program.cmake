@@ -1,6 +1,6 @@
 # What CLI11 reads. It is costly to compile: once, and without much optimization.
-set(command_line cli/command_line.cpp cli/command_line_enum.cpp cli/command_line_mesh.cpp cli/command_line_view.cpp)
-add_library(command_line OBJECT ${command_line})
+add_library(command_line OBJECT
+  cli/command_line.cpp cli/command_line_enum.cpp cli/command_line_mesh.cpp cli/command_line_view.cpp)
 target_compile_options(command_line PRIVATE -O1)
 
 add_executable(hexatlas

@@ -15,6 +15,7 @@
 #include "tables/check/malformed.hpp"
 #include "tables/check/zstd_frame.hpp"
 #include "tests/sabotage/sample_catalogues.hpp"
+#include "tests/shipped.hpp"
 
 namespace hexatlas::check {
 namespace {
@@ -355,7 +356,7 @@ std::vector<std::string> damaged(const SingleRefutation& good, std::mt19937_64& 
 TEST(CatalogueSabotage, NoDamagedRefutationIsAccepted) {
   std::vector<SingleRefutation> refutations;
   std::vector<std::filesystem::path> files;
-  const std::filesystem::path folder = HEXATLAS_SOURCE_DIR "/tables/data";
+  const std::filesystem::path folder = support::kShippedFolder;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() == ".hxc") files.push_back(entry.path());
   }

@@ -13,6 +13,7 @@
 #include "tests/sabotage/sample_tables.hpp"
 #include "tests/sabotage/table_replay.hpp"
 #include "tests/share.hpp"
+#include "tests/shipped.hpp"
 
 namespace hexatlas::check {
 namespace {
@@ -26,8 +27,7 @@ const std::map<unsigned, std::size_t> kNumber{{6, 1}, {8, 1}, {10, 3}};  // A007
 
 const SampleTable& whole() {
   static const SampleTable kTable = [] {
-    SampleTable table =
-        sabotage::complete_table(HEXATLAS_SOURCE_DIR "/tables/data/hexatlas.hxt", kMostQuads);
+    SampleTable table = sabotage::complete_table(support::kShippedTable, kMostQuads);
     table.per_block = 2;  // with one block any greater number would do
     return table;
   }();

@@ -329,7 +329,7 @@ std::map<SymmetricState, int> closure(const SymmetricFront& start, int max_quads
 
 TEST(SymmetricBeam, WithoutLimitsSeesAllThatOrbitsReach) {
   for (const char* text : {"q1:088a577f", "q1:022972977f", "q1:08a5df"}) {
-    const auto q = canon::decode(canon::from_text(text).value()).value();
+    const auto q = support::boundary_of(text);
     for (const flips::Involution& involution : flips::involutions_of(q)) {
       const SymmetricFront start{{q, flips::relation_of_quads(q)}, involution.image};
       for (const int threads : {1, 3}) {
@@ -352,7 +352,7 @@ TEST(SymmetricBeam, WithoutLimitsSeesAllThatOrbitsReach) {
 }
 
 flips::SymmetricBeam spindle_beam(const flips::BeamOptions& options) {
-  const auto q = canon::decode(canon::from_text("q1:088a577f").value()).value();
+  const auto q = support::boundary_of("q1:088a577f");
   return {{{q, flips::relation_of_quads(q)}, flips::involutions_of(q)[0].image}, options};
 }
 

@@ -17,6 +17,7 @@
 #include "tables/format/table.hpp"
 #include "tests/enum/support.hpp"
 #include "tests/oracles/hexahedra.hpp"
+#include "tests/shipped.hpp"
 
 namespace {
 
@@ -178,7 +179,7 @@ void expect_refuted_in_no_order(const Entry& known, bool ball, support::Random& 
 /// The least boundaries, and some of all sizes, whose meshes fit into a search.
 template <class Visit>
 void for_some_meshes(Visit&& visit) {
-  const auto table = format::Table::open(HEXATLAS_SOURCE_DIR "/tables/data/hexatlas.hxt");
+  const auto table = format::Table::open(support::kShippedTable);
   for (std::size_t ordinal = 0; ordinal < table.size(); ordinal += ordinal < 20 ? 1 : 401) {
     SCOPED_TRACE(canon::to_text(table.entry(ordinal).code));
     const Entry known = entry_of(table, ordinal);

@@ -12,9 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "enum/core/files.hpp"
-#include "enum/quads/generate.hpp"
 #include "tests/meshing/hexahedrize/judged.hpp"
+#include "tests/meshing/hexahedrize/sectors.hpp"
 #include "tests/meshing/hexahedrize/spheres.hpp"
 
 namespace {
@@ -26,16 +25,10 @@ using hexahedrize::LinearMesh;
 using support::judged;
 using support::small_spheres;
 
-const std::vector<Sector>& shipped() {
-  static const auto kSectors = format::read_sectors(
-      core::read_file(HEXATLAS_SOURCE_DIR "/tables/data/linear-bound.hxs"), "sectors");
-  return kSectors;
-}
-
 /// All sectors without scars, fewest hexahedra first.
 std::vector<Sector> without_scars() {
   std::vector<Sector> result;
-  for (const Sector& sector : shipped())
+  for (const Sector& sector : support::sectors())
     if (sector.scars.empty()) result.push_back(sector);
   return result;
 }
@@ -65,7 +58,7 @@ LinearMesh expect_meshed(const QuadSphere& sphere, const std::vector<Sector>& se
 }
 
 void expect_accepted(const QuadSphere& sphere) {
-  const check::Verdict verdict = judged(expect_meshed(sphere, shipped()).mesh, sphere);
+  const check::Verdict verdict = judged(expect_meshed(sphere, support::sectors()).mesh, sphere);
   EXPECT_TRUE(verdict.accepted) << sphere.quads.size() << " quads: " << verdict.reason;
   EXPECT_FALSE(verdict.boundary_reversed);
 }
@@ -78,7 +71,7 @@ TEST(Linear, MeshesAllSmallQuadrangulations) {
     const auto spheres = small_spheres(quads);
     EXPECT_EQ(spheres.size(), count);
     for (const QuadSphere& sphere : spheres) {
-      expect_meshed(sphere, shipped());
+      expect_meshed(sphere, support::sectors());
       expect_meshed(sphere, without_scars());
       if (quads <= 10) expect_accepted(sphere);
     }
@@ -88,26 +81,26 @@ TEST(Linear, MeshesAllSmallQuadrangulations) {
 TEST(Linear, MeshesTheMirrorImageAsWell) {
   for (QuadSphere sphere : small_spheres(12)) {
     for (auto& quad : sphere.quads) std::swap(quad[1], quad[3]);
-    expect_meshed(sphere, shipped());
+    expect_meshed(sphere, support::sectors());
   }
 }
 
 TEST(Linear, MeshesRandomQuadrangulations) {
   for (const std::size_t inserted : {3U, 30U, 90U})
     for (std::uint64_t seed = 0; seed < 12; ++seed)
-      expect_meshed(support::random_sphere(24 + 10 * seed, seed, inserted), shipped());
-  expect_meshed(support::random_sphere(500, 1), shipped());
+      expect_meshed(support::random_sphere(24 + 10 * seed, seed, inserted), support::sectors());
+  expect_meshed(support::random_sphere(500, 1), support::sectors());
 }
 
 TEST(Linear, MeshesLargeRandomQuadrangulations) {
-  expect_meshed(support::random_sphere(2000, 2, 10), shipped());
+  expect_meshed(support::random_sphere(2000, 2, 10), support::sectors());
 }
 
 TEST(Linear, MeshesGridsAndVerticesOfHighDegree) {
   for (const complex::VertexId n : {2U, 3U, 4U, 5U, 8U})
-    expect_meshed(support::grid_cube(n), shipped());
+    expect_meshed(support::grid_cube(n), support::sectors());
   for (const complex::VertexId k : {3U, 4U, 5U, 6U, 7U, 20U, 101U, 300U}) {
-    expect_meshed(support::trapezohedron(k), shipped());
+    expect_meshed(support::trapezohedron(k), support::sectors());
     if (k < 10) expect_meshed(support::trapezohedron(k), without_scars());
   }
 }
@@ -121,8 +114,8 @@ TEST(Linear, IsAcceptedByTheJudge) {
 
 TEST(Linear, GivesTheSameAgain) {
   const QuadSphere sphere = support::random_sphere(200, 5);
-  const LinearMesh first = expect_meshed(sphere, shipped());
-  const LinearMesh second = expect_meshed(sphere, shipped());
+  const LinearMesh first = expect_meshed(sphere, support::sectors());
+  const LinearMesh second = expect_meshed(sphere, support::sectors());
   EXPECT_EQ(first.mesh.vertices, second.mesh.vertices);
   EXPECT_EQ(first.mesh.hexahedra, second.mesh.hexahedra);
   EXPECT_EQ(first.used, second.used);
@@ -137,7 +130,7 @@ TEST(Linear, TakesTheSectorWithoutScarsIfItIsTheOnlyOne) {
 
 // At a vertex of degree 3 corners 1 and 5 of the hexagon are opposite in the third quad.
 TEST(Linear, LooksForScarsInQuadsOfTheBoundary) {
-  std::vector<Sector> sectors = shipped();
+  std::vector<Sector> sectors = support::sectors();
   ASSERT_EQ(expect_meshed(support::grid_cube(1), sectors).used.front(), 1U);
   for (Sector& sector : sectors)
     if (!sector.scars.empty()) sector.scars.push_back({1, 5});
@@ -147,7 +140,7 @@ TEST(Linear, LooksForScarsInQuadsOfTheBoundary) {
 
 // Sabotage. With the scars hidden the first sector is taken everywhere, and the strict rule breaks.
 TEST(Linear, NeedsTheRuleOfScars) {
-  std::vector<Sector> hidden = shipped();
+  std::vector<Sector> hidden = support::sectors();
   ASSERT_FALSE(hidden.front().scars.empty());
   for (Sector& sector : hidden) sector.scars.clear();
   std::size_t faults = 0;
@@ -161,7 +154,7 @@ TEST(Linear, NeedsTheRuleOfScars) {
       if (!complex::validate(made.mesh)) continue;
       ++faults;
       // With the scars seen, another sector is taken somewhere, and the mesh is right.
-      EXPECT_LT(expect_meshed(sphere, shipped()).used.front(), sphere.quads.size() / 2);
+      EXPECT_LT(expect_meshed(sphere, support::sectors()).used.front(), sphere.quads.size() / 2);
     }
   EXPECT_GT(faults, 0U);
 }

@@ -9,11 +9,11 @@
 #include <numeric>
 #include <vector>
 
-#include "enum/core/files.hpp"
-#include "enum/quads/generate.hpp"
 #include "meshing/hexahedrize/peel.hpp"
 #include "tests/meshing/hexahedrize/judged.hpp"
+#include "tests/meshing/hexahedrize/sectors.hpp"
 #include "tests/meshing/hexahedrize/spheres.hpp"
+#include "tests/shipped.hpp"
 
 namespace hexatlas::support {
 
@@ -21,14 +21,8 @@ using complex::QuadSphere;
 using hexahedrize::PeeledMesh;
 using hexahedrize::PeelOptions;
 
-inline const std::vector<format::Sector>& sectors() {
-  static const auto kSectors = format::read_sectors(
-      core::read_file(HEXATLAS_SOURCE_DIR "/tables/data/linear-bound.hxs"), "sectors");
-  return kSectors;
-}
-
 inline const format::Table& table() {
-  static const auto kTable = format::Table::open(HEXATLAS_SOURCE_DIR "/tables/data/hexatlas.hxt");
+  static const auto kTable = format::Table::open(kShippedTable);
   return kTable;
 }
 

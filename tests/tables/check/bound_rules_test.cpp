@@ -18,6 +18,7 @@
 #include "tables/check/bound_sphere.hpp"
 #include "tables/check/quad_code.hpp"
 #include "tables/format/table.hpp"
+#include "tests/shipped.hpp"
 
 namespace hexatlas::check {
 namespace {
@@ -242,8 +243,7 @@ class Walk {
 };
 
 const format::Table& shipped() {
-  static const format::Table table =
-      format::Table::open(HEXATLAS_SOURCE_DIR "/tables/data/hexatlas.hxt");
+  static const format::Table table = format::Table::open(support::kShippedTable);
   return table;
 }
 

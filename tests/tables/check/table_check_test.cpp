@@ -13,6 +13,7 @@
 
 #include "tables/check/malformed.hpp"
 #include "tests/sabotage/sample_tables.hpp"
+#include "tests/shipped.hpp"
 
 namespace hexatlas::check {
 namespace {
@@ -141,8 +142,7 @@ TEST(TableCheck, RefusesAClaimThatIsNotTrue) {
 }
 
 TEST(TableCheck, NoEntryOfACompleteTableCanBeLeftOut) {
-  const SampleTable all =
-      sabotage::complete_table(HEXATLAS_SOURCE_DIR "/tables/data/hexatlas.hxt", 12);
+  const SampleTable all = sabotage::complete_table(support::kShippedTable, 12);
   const TableVerdict verdict = check_table_bytes(all.bytes());
   ASSERT_TRUE(verdict.accepted) << verdict.reason;
   EXPECT_EQ(verdict.complete_through, 12U);

@@ -15,6 +15,7 @@
 #include "enum/core/files.hpp"
 #include "tables/format/frame.hpp"
 #include "tables/format/sha256.hpp"
+#include "tests/shipped.hpp"
 
 namespace {
 
@@ -23,7 +24,7 @@ using format::Catalogue;
 
 std::vector<std::filesystem::path> shipped() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(HEXATLAS_SOURCE_DIR "/tables/data"))
+  for (const auto& entry : std::filesystem::directory_iterator(support::kShippedFolder))
     if (entry.path().extension() == ".hxc") files.push_back(entry.path());
   return files;
 }

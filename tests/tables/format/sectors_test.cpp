@@ -15,15 +15,14 @@
 #include "enum/core/files.hpp"
 #include "enum/core/random.hpp"
 #include "tests/sabotage/sector_oracle.hpp"
+#include "tests/shipped.hpp"
 
 namespace {
 
 using namespace hexatlas;
 using format::Sector;
 
-std::string shipped_bytes() {
-  return core::read_file(HEXATLAS_SOURCE_DIR "/tables/data/linear-bound.hxs");
-}
+std::string shipped_bytes() { return core::read_file(support::kShippedSectors); }
 
 /// What is said of the bytes after the name of the file; empty if they are read.
 std::string fault_of(const std::string& bytes) {
