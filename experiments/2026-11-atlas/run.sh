@@ -129,7 +129,11 @@ if [[ "${1:-}" == --search ]]; then
     --annealed 860 --anneal-starts 6 --collar-hexahedra 22 --collar-width 1000 --symmetric-width 800
   "$program" table build -o hexatlas-earlier.hxt --start-from hexatlas-now.hxt all.hxt "${last[@]/20261126/20261127}"
   "$program" table build -o all2.hxt --start-from all.state contest.hxt wide.hxt "${wider[@]}" --max-hexahedra 1
-  "$program" table build -o hexatlas.hxt --start-from hexatlas-earlier.hxt all2.hxt "${last[@]/20261126/20261127}"
+  "$program" table build -o hexatlas-many.hxt --start-from hexatlas-earlier.hxt all2.hxt "${last[@]/20261126/20261127}"
+  # Another sweep of this width.
+  "$program" table build -o swept.hxt --state swept.state --start-from hexatlas-many.hxt hexatlas-22.hxt \
+    "${wider[@]/20261127/20261128}" --memory 14 --max-hexahedra 56
+  "$program" table build -o hexatlas.hxt --start-from hexatlas-many.hxt swept.hxt "${last[@]/20261126/20261128}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
