@@ -1,5 +1,7 @@
 #include "enum/flips/walk.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -70,9 +72,9 @@ struct Draw {
 /// One of the balls that fit in place of the sub-ball, in all positions, drawn by their weights;
 /// nullopt for the sub-ball itself, which has weight 1. Mostly nullopt, too, for a ball with as
 /// many hexahedra and the same scars: nearly always it is the sub-ball again, and most draws are
-/// such.
+/// such. `sums` is made use of.
 std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Climate& climate,
-                         Random& random) {
+                         Random& random, std::vector<double>& sums) {
   const Front& front = ball.front();
   canon::CanonicalFlags flags;
   canon::canonical_flags(front.boundary, flags);
@@ -86,26 +88,26 @@ std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Climate& 
   };
   const int own = own_scars(positions[0]).size_in_common(positions[0].scars);
   const auto& known = balls.store().family(*number).fronts;
-  const Position* drawn = nullptr;
-  std::uint32_t drawn_place = 0;
   double total = 1;
+  sums.clear();
   for (const Position& position : positions)
-    for (std::uint32_t place = 0; place < known.size(); ++place) {
-      const int more = known[place].level + 1 - size;
-      if (more > kClimb) continue;
-      const double weight =
-          climate.factor(more, known[place].scars.size_in_common(position.scars) - own);
-      total += weight;
-      if (random.uniform() * total >= weight) continue;
-      drawn = &position;
-      drawn_place = place;
+    for (const StoredFront& other : known) {
+      const int more = other.level + 1 - size;
+      if (more <= kClimb)
+        total += climate.factor(more, other.scars.size_in_common(position.scars) - own);
+      sums.push_back(total);
     }
-  if (drawn == nullptr) return std::nullopt;
-  const StoredFront& ball_drawn = known[drawn_place];
-  const bool is_same = ball_drawn.level + 1 == size && ball_drawn.scars == own_scars(*drawn);
+  const double at = std::min(random.uniform() * total, std::nextafter(total, 0.0));
+  if (at < 1) return std::nullopt;
+  const auto drawn =
+      static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end(), at) - sums.begin());
+  const Position& position = positions[drawn / known.size()];
+  const std::size_t place = drawn % known.size();
+  const StoredFront& ball_drawn = known[place];
+  const bool is_same = ball_drawn.level + 1 == size && ball_drawn.scars == own_scars(position);
   if (is_same && random.below(kSameState) != 0) return std::nullopt;
-  return Draw{{{*number, drawn_place}, drawn->label, drawn->is_mirrored},
-              ball_drawn.scars.size_in_common(drawn->scars) - own};
+  return Draw{{{*number, static_cast<std::uint32_t>(place)}, position.label, position.is_mirrored},
+              ball_drawn.scars.size_in_common(position.scars) - own};
 }
 
 }  // namespace
@@ -127,7 +129,7 @@ Walk::Walk(HexComplex mesh, int quads, const Beam& balls, std::uint64_t seed)
 
 bool Walk::exchange(const Climate& climate, BallLayers& layers) {
   if (ball_.quads() > balls_.options().max_quads) return false;
-  const auto drawn = draw(ball_, balls_, climate, random_);
+  const auto drawn = draw(ball_, balls_, climate, random_, sums_);
   if (!drawn) return false;
   HexComplex made = complex::compacted(
       exchanged(mesh_, ball_, layers.of(drawn->fit.ball), drawn->fit), quads_ + 2);

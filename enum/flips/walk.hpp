@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <vector>
 
 #include "enum/complex/hex_complex.hpp"
 #include "enum/core/random.hpp"
@@ -98,6 +99,7 @@ class Walk {
   SubBall::Neighbours neighbours_;
   SubBall ball_;
   int faults_ = 0;
+  std::vector<double> sums_;  ///< of weights, in one step
 };
 
 }  // namespace hexatlas::flips
