@@ -1,7 +1,6 @@
 #include "enum/flips/meeting.hpp"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -109,40 +108,19 @@ class BallsOfParity final : public BallSource {
   int parity_;
 };
 
-/// Fillings by collars of one thickness after the other.
-class Variety {
- public:
-  /// `collar_of(i)`: the hexahedra taken off before cavity i is left. The cavities are of one
-  /// thickness.
-  template <class CollarOf>
-  void add(const Beam& balls, const MeetingOptions& options, int quads,
-           const std::vector<Cavity>& cavities, const CollarOf& collar_of) {
-    for (int parity = 0; parity < 2; ++parity) {
-      const int thickness = cavities.empty() ? 0 : cavities.front().collar;
-      const BallsOfParity source(balls, (parity + thickness) % 2);
-      Matcher matcher(source, options.below, options.collars.threads);
-      if (const auto meeting = matcher.match(cavities))
-        fillings_.push_back(assembled(source, collar_of(meeting->cavity), *meeting, quads));
-    }
+/// Of the meetings with collars of one thickness the least one with an even and the least one with
+/// an odd number of hexahedra. `collar_of(i)`: the hexahedra taken off before cavity i is left.
+template <class CollarOf>
+void add_meetings(std::vector<Filling>& fillings, const Beam& balls, const MeetingOptions& options,
+                  int quads, const std::vector<Cavity>& cavities, const CollarOf& collar_of) {
+  for (int parity = 0; parity < 2; ++parity) {
+    const int thickness = cavities.empty() ? 0 : cavities.front().collar;
+    const BallsOfParity source(balls, (parity + thickness) % 2);
+    Matcher matcher(source, options.below, options.collars.threads);
+    if (const auto meeting = matcher.match(cavities))
+      fillings.push_back(assembled(source, collar_of(meeting->cavity), *meeting, quads));
   }
-  [[nodiscard]] std::vector<Filling> in_order() && {
-    std::map<std::size_t, std::size_t> met;  // how many with so many hexahedra
-    std::vector<std::pair<std::size_t, std::size_t>> rank;
-    for (const Filling& filling : fillings_)
-      rank.emplace_back(met[filling.mesh.hexahedra.size()]++, filling.mesh.hexahedra.size());
-    std::vector<std::size_t> order(fillings_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return rank[a] < rank[b]; });
-    std::vector<Filling> result;
-    result.reserve(order.size());
-    for (const std::size_t i : order) result.push_back(std::move(fillings_[i]));
-    return result;
-  }
-
- private:
-  std::vector<Filling> fillings_;
-};
+}
 
 }  // namespace
 
@@ -214,31 +192,32 @@ std::vector<Filling> varied_meetings(const Beam& balls, const canon::Code& targe
                                      const MeetingOptions& options) {
   (void)boundary_of(target);
   Beam collars(State{target, options.apart}, options.collars);
-  Variety result;
+  std::vector<Filling> result;
   std::size_t size = 1;
   for (int depth = 0; depth <= options.max_collar && size > 0; ++depth) {
     if (depth > 0) size = collars.expand_level();
-    result.add(balls, options, target.quads, cavities_of(collars), [&](std::size_t cavity) {
-      return layers_along(collars, collars.frontier()[cavity], Growth::inward);
-    });
+    add_meetings(result, balls, options, target.quads, cavities_of(collars),
+                 [&](std::size_t cavity) {
+                   return layers_along(collars, collars.frontier()[cavity], Growth::inward);
+                 });
   }
-  return std::move(result).in_order();
+  return result;
 }
 
 std::vector<Filling> varied_symmetric_meetings(const Beam& balls, const canon::Code& target,
                                                const MeetingOptions& options) {
-  Variety result;
+  std::vector<Filling> result;
   for (const SymmetricFront& start : symmetric_starts(target, options)) {
     SymmetricBeam collars(start, options.collars);
     for (bool has_more = true; has_more; has_more = collars.expand_level()) {
       const SymmetricCavities here = cavities_of(collars);
-      result.add(balls, options, target.quads, here.cavities, [&](std::size_t cavity) {
+      add_meetings(result, balls, options, target.quads, here.cavities, [&](std::size_t cavity) {
         return collars.layers_to(collars.nodes()[here.node[cavity]]);
       });
       if (collars.level() == options.max_collar) break;
     }
   }
-  return std::move(result).in_order();
+  return result;
 }
 
 }  // namespace hexatlas::flips

@@ -96,9 +96,8 @@ struct MeetingOptions {
                                                             const MeetingOptions& options);
 
 /// Fillings of many kinds, to begin annealing with (annealing.hpp): of the meetings with collars of
-/// each thickness the least one with an even and the least one with an odd number of hexahedra.
-/// Those with another number than all before them come first, then the second ones of each number,
-/// and so on; of these the least ones first. Requires what best_meeting() does.
+/// each thickness, thin ones first, the least one with an even and the least one with an odd number
+/// of hexahedra. Requires what best_meeting() does.
 [[nodiscard]] std::vector<Filling> varied_meetings(const Beam& balls, const canon::Code& target,
                                                    const MeetingOptions& options);
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "enum/complex/dual_class.hpp"
 #include "enum/core/checks.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/flips/annealing.hpp"
@@ -313,13 +314,14 @@ std::vector<complex::HexComplex> TableSearch::beginnings(const canon::Code& code
   if (known != kNone && wanted == 1) return result;
   flips::MeetingOptions plain = collars_for(known + kWorthATry, threads);
   plain.collars.seed = seed_for(code);  // others in each round
-  auto by_collars = flips::varied_meetings(balls_, code, plain);
-  auto by_symmetry = flips::varied_symmetric_meetings(
-      balls_, code, symmetric_collars_for(code, known + kWorthATry, threads));
-  for (std::size_t i = 0; i < std::max(by_collars.size(), by_symmetry.size()); ++i)
-    for (auto* fillings : {&by_collars, &by_symmetry})
-      if (i < fillings->size() && result.size() < wanted)
-        result.push_back(std::move((*fillings)[i].mesh));
+  for (auto& filling : flips::varied_meetings(balls_, code, plain))
+    result.push_back(std::move(filling.mesh));
+  for (auto& filling : flips::varied_symmetric_meetings(
+           balls_, code, symmetric_collars_for(code, known + kWorthATry, threads)))
+    result.push_back(std::move(filling.mesh));
+  const auto on_boundary = static_cast<complex::VertexId>(code.quads + 2);
+  result = complex::spread_over_dual_classes(std::move(result), on_boundary);
+  if (result.size() > wanted) result.resize(wanted);
   return result;
 }
 
