@@ -314,7 +314,8 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
          "Boundaries per round whose meshes are annealed, those with the largest ones");
   effort("--anneal-starts", search.anneal_starts, std::size_t{1}, std::size_t{1'000},
          "Meshes that annealing of one of these begins with: the one known, and others by collars, "
-         "with a symmetry or without; after each stage the most promising quarter of them goes on");
+         "with a symmetry or without, of as many dual classes as there are; after each stage the "
+         "most promising quarter of them goes on");
   effort("--anneal-rounds", search.anneal_rounds, 1, 10'000'000,
          "Rounds of annealing of each mesh, more for the promising ones; each takes about 0.05 "
          "seconds of one processor");

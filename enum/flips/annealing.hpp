@@ -4,9 +4,9 @@
 ///
 /// Method. A walk (walk.hpp) in which a further hexahedron and a further fault each cost a factor
 /// of the probability. Several walks at once, from cold ones, for which both cost much, to hot
-/// ones, trade places. However hot, a walk stays near the mesh that it began with in some respects:
-/// whether the number of hexahedra is even hardly ever changes. So several meshes compete: after
-/// each stage the most promising quarter of them goes on, twice as long as before.
+/// ones, trade places. However hot, a walk hardly ever leaves the dual class of the mesh that it
+/// began with (enum/complex/dual_class.hpp). So several meshes compete: after each stage the most
+/// promising quarter of them goes on, twice as long as before.
 ///
 /// Sources. Annealing: Kirkpatrick, Gelatt, Vecchi (Science 220, 1983); walks that trade places:
 /// Swendsen, Wang (Phys. Rev. Lett. 57, 1986); contests in stages: Karnin, Koren, Somekh (ICML
