@@ -133,7 +133,11 @@ if [[ "${1:-}" == --search ]]; then
   # Another sweep of this width.
   "$program" table build -o swept.hxt --state swept.state --start-from hexatlas-many.hxt hexatlas-22.hxt \
     "${wider[@]/20261127/20261128}" --memory 14 --max-hexahedra 56
-  "$program" table build -o hexatlas.hxt --start-from hexatlas-many.hxt swept.hxt "${last[@]/20261126/20261128}"
+  "$program" table build -o hexatlas-broad.hxt --start-from hexatlas-many.hxt swept.hxt "${last[@]/20261126/20261128}"
+  # Annealing that begins in each dual class; stopped after 137 boundaries, and the table made of what it had saved.
+  "$program" table build -o all.hxt --state classes.state --start-from swept.state swept.hxt "${wider[@]/20261127/20261128}" \
+    --max-hexahedra 1 "${many[@]}" --annealed 700 --anneal-starts 8 --collar-hexahedra 22 --collar-width 1000 --symmetric-width 800
+  "$program" table build -o hexatlas.hxt --start-from hexatlas-broad.hxt all.hxt "${last[@]/20261126/20261128}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
