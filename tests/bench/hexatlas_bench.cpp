@@ -3,9 +3,10 @@
 
 #include <vector>
 
-#include "enum/flips/meeting.hpp"
+#include "enum/flips/beam.hpp"
 #include "tables/format/table.hpp"
 #include "tests/enum/support.hpp"
+#include "tests/shipped.hpp"
 
 namespace {
 
@@ -24,64 +25,48 @@ flips::BeamOptions narrow(int threads) {
   return options;
 }
 
-/// A beam with several thousand boundaries of 20 quads.
-const flips::Beam& balls() {
-  static const flips::Beam beam = [] {
-    flips::Beam grown(single(), narrow(1));
-    while (grown.level() < 24 && grown.expand_level() > 0) {
-    }
-    return grown;
-  }();
-  return beam;
+const format::Table& table() {
+  static const format::Table kTable = format::Table::open(support::kShippedTable);
+  return kTable;
 }
 
-/// Classes with 20 quads in random labels, in random order.
+/// Those with 20 quads of the table, in random labels, in random order.
 const std::vector<complex::Quadrangulation>& boundaries() {
-  static const std::vector<complex::Quadrangulation> list = [] {
+  static const std::vector<complex::Quadrangulation> kList = [] {
     support::Random random(1);
     std::vector<complex::Quadrangulation> result;
-    for (const auto& code : balls().codes())
-      if (code.quads == kQuads)
+    for (std::size_t i = 0; i < table().size(); ++i)
+      if (const auto code = table().entry(i).code; code.quads == kQuads)
         result.push_back(support::scrambled(canon::decode(code).value(), random, random.coin()));
     random.shuffle(result);
     return result;
   }();
-  return list;
-}
-
-const format::Table& table() {
-  static const format::Table made = [] {
-    std::vector<format::TableRow> rows;
-    for (const auto& code : balls().codes())
-      rows.push_back(
-          {code, flips::filling_of(balls(), balls().fronts_of(code).front().id).mesh, 1});
-    return format::Table::from_bytes(format::table_bytes(std::move(rows), {}), "bench");
-  }();
-  return made;
+  return kList;
 }
 
 void canonical_form(benchmark::State& state) {
+  const auto& list = boundaries();
   std::size_t i = 0;
-  for (auto _ : state)
-    benchmark::DoNotOptimize(canon::canonical_form(boundaries()[i++ % boundaries().size()]));
-  state.counters["classes"] = static_cast<double>(boundaries().size());
+  for (auto _ : state) benchmark::DoNotOptimize(canon::canonical_form(list[i++ % list.size()]));
+  state.counters["classes"] = static_cast<double>(list.size());
 }
 BENCHMARK(canonical_form);
 
 void look_up(benchmark::State& state) {
+  const auto& list = boundaries();
   std::size_t i = 0;
   for (auto _ : state)
-    benchmark::DoNotOptimize(
-        table().find(canon::canonical_form(boundaries()[i++ % boundaries().size()]).code));
+    benchmark::DoNotOptimize(table().find(canon::canonical_form(list[i++ % list.size()]).code));
   state.counters["entries"] = static_cast<double>(table().size());
 }
 BENCHMARK(look_up);
 
 void look_up_and_mesh(benchmark::State& state) {
+  const auto& list = boundaries();
   std::size_t i = 0;
   for (auto _ : state)
-    benchmark::DoNotOptimize(table().mesh(
-        table().find(canon::canonical_form(boundaries()[i++ % boundaries().size()]).code).value()));
+    benchmark::DoNotOptimize(
+        table().mesh(table().find(canon::canonical_form(list[i++ % list.size()]).code).value()));
 }
 BENCHMARK(look_up_and_mesh);
 
