@@ -4,6 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 program="${HEXATLAS:-../../build/release/hexatlas}"
+commit=$(git -C ../.. describe --always --dirty --abbrev=12) # before the results change
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 if [[ "${1:-}" == --search ]]; then
@@ -160,7 +161,7 @@ python3 -B kills.py "$program" "$folder" >kills.tsv
 python3 -B corruptions.py "$program" ../../tables/data/hexatlas.hxt "$folder" >corruptions.tsv
 python3 -B removals.py "$program" ../../tables/data/hexatlas.hxt "$folder" "${REMOVALS:-8}" >removals.tsv
 {
-  git -C ../.. describe --always --dirty --abbrev=12
+  echo "$commit"
   "$program" --version
   lscpu | sed -n 's/^Model name: *//p'
 } >provenance.txt
