@@ -52,6 +52,7 @@ class DualSurface {
   [[nodiscard]] int twists(const Cycle& cycle) const;
   [[nodiscard]] std::vector<bool> pushed(const Cycle& cycle) const;
   [[nodiscard]] Exit entered_by(const Exit& exit) const;
+  [[nodiscard]] Exit entry(const Cycle& cycle, std::size_t i) const;
 
   const SpinSphere& sphere_;
   std::vector<std::array<std::uint32_t, 12>> vertex_;  ///< of each hexahedron's edges
@@ -76,11 +77,6 @@ DualSurface::DualSurface(const SpinSphere& sphere) : sphere_(sphere) {
   grow_forest();
 }
 
-/// Facet of the hexahedron across with the same direction.
-std::uint32_t carried(const SpinSphere::Across& next, std::uint32_t facet) {
-  return facet_towards(rotated(next.passage, normal_of(facet)));
-}
-
 void DualSurface::number_vertices() {
   UnionFind edges(12 * sphere_.cells());
   for (std::uint32_t c = 0; c < sphere_.cells(); ++c)
@@ -88,7 +84,7 @@ void DualSurface::number_vertices() {
       for (std::uint32_t g = 0; g < 6; ++g) {
         if (f / 2 == g / 2) continue;
         const SpinSphere::Across& next = sphere_.across(c, f);
-        edges.unite(12 * c + edge_of(f, g), 12 * next.cell + edge_of(next.facet, carried(next, g)));
+        edges.unite(12 * c + edge_of(f, g), 12 * next.cell + edge_of(next.facet, next.carried(g)));
       }
   std::vector<std::uint32_t> number(12 * sphere_.cells(), kNowhere);
   vertex_.resize(sphere_.cells());
@@ -104,7 +100,12 @@ void DualSurface::number_vertices() {
 DualSurface::Exit DualSurface::entered_by(const Exit& exit) const {
   const std::uint32_t cell = exit.square / 3, axis = exit.square % 3;
   const SpinSphere::Across& next = sphere_.across(cell, exit.facet);
-  return {3 * next.cell + carried(next, 2 * axis) / 2, next.facet};
+  return {3 * next.cell + next.carried(2 * axis) / 2, next.facet};
+}
+
+/// How a cycle enters the square of its exit i, as an exit of that square.
+DualSurface::Exit DualSurface::entry(const Cycle& cycle, std::size_t i) const {
+  return entered_by(cycle[(i + cycle.size() - 1) % cycle.size()]);
 }
 
 std::uint32_t DualSurface::beyond(const Exit& exit) const { return entered_by(exit).square; }
@@ -180,16 +181,13 @@ DualSurface::Cycle DualSurface::cycle_through(std::uint32_t side) const {
 /// The form at a cycle that meets no square twice. A frame travels along it: forwards, to the left
 /// within the surface, perpendicular to the surface.
 int DualSurface::twists(const Cycle& cycle) const {
-  const auto direction_in = [&](std::size_t i) {  // by which the square of exit i was entered
-    const Exit& before = cycle[(i + cycle.size() - 1) % cycle.size()];
-    AxisVector result = normal_of(entered_by(before).facet);
-    for (int& x : result) x = -x;
-    return result;
-  };
   constexpr AxisVector kForwards{1, 0, 0};
   AxisVector up{};
   up[cycle.front().square % 3] = 1;
-  const Quaternion start = rotation(direction_in(0), cross(up, direction_in(0)));
+  // In by a facet is towards the opposite one.
+  const AxisVector inwards =
+      normal_of(cells::opposite(static_cast<cells::CubeFacet>(entry(cycle, 0).facet)));
+  const Quaternion start = rotation(inwards, cross(up, inwards));
   Quaternion frame = start;
   for (const Exit& exit : cycle) {
     const AxisVector forwards = rotated(frame, kForwards), wanted = normal_of(exit.facet);
@@ -209,7 +207,7 @@ std::vector<bool> DualSurface::pushed(const Cycle& cycle) const {
   std::vector<bool> result(sides_.size());
   for (std::size_t i = 0; i < cycle.size(); ++i) {
     const Exit& exit = cycle[i];
-    const Exit in = entered_by(cycle[(i + cycle.size() - 1) % cycle.size()]);
+    const Exit in = entry(cycle, i);
     std::uint32_t at = sides_[side_at(in.square, in.facet)].end[0];
     const std::uint32_t to = sides_[side_at(exit.square, exit.facet)].end[0];
     // The four sides in cyclic order; from one vertex to the other the way round.

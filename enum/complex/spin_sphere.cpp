@@ -121,8 +121,8 @@ SpinSphere::SpinSphere(const HexComplex& ball, const HexComplex& other, VertexId
   lift();
 }
 
-void SpinSphere::glue(const std::vector<Hexahedron>& cells, std::uint32_t cell,
-                      std::uint32_t facet, std::uint32_t other_cell, std::uint32_t other_facet) {
+void SpinSphere::glue(const std::vector<Hexahedron>& cells, std::uint32_t cell, std::uint32_t facet,
+                      std::uint32_t other_cell, std::uint32_t other_facet) {
   std::array<VertexId, 3> corner{};  // one and its two neighbours within the quad
   for (std::size_t i = 0; i < 3; ++i)
     corner[i] = cells[cell][cells::kFacetVertices[facet][std::array{0U, 1U, 3U}[i]]];
@@ -154,12 +154,11 @@ SpinSphere::EdgeWalk SpinSphere::around(std::uint32_t cell, std::uint32_t in,
   do {
     const Across& next = across_[c][goes];
     walk.steps.push_back({c, came, goes});
-    const AxisVector came_through = rotated(next.passage, normal_of(came));
     walk.product = next.passage * walk.product;
     c = next.cell;
-    came = next.facet;
     // The edge is where the facet that we came by meets the one that the last one goes on in.
-    goes = facet_towards(came_through);
+    goes = next.carried(came);
+    came = next.facet;
   } while (c != cell || came != in || goes != out);
   const Quaternion back = quarter_turn(axis).inverse(), forth = quarter_turn(axis);
   for (std::size_t k = 4; k < walk.steps.size(); ++k) walk.wanted = back * walk.wanted;

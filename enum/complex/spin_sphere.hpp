@@ -39,6 +39,11 @@ class SpinSphere {
     std::uint32_t facet = 0;  ///< the same quad, of that hexahedron
     std::uint32_t quad = 0;   ///< number of the quad, 0 .. quads()-1
     Quaternion passage;       ///< lifts the rotation that makes coordinates there of ours
+
+    /// The facet there with the direction of one of ours.
+    [[nodiscard]] std::uint32_t carried(std::uint32_t ours) const noexcept {
+      return facet_towards(rotated(passage, normal_of(ours)));
+    }
   };
 
   /// Requires two balls glued of right-handed hexahedra, each quad in at most two, with one
