@@ -75,7 +75,11 @@ class SlowBound {
       : text_(std::move(text)), automorphisms_(SlowAutomorphisms(text_.quads).found) {}
 
   /// Whether the log is what it should be.
-  bool judge() {
+  bool judge() { return judge(text_.log); }
+
+  /// The same for another log of this claim; states that both have are computed once.
+  bool judge(const std::string& log) {
+    text_.log = log;
     at_ = 0;
     hexes_.clear();
     return judge_state({}) && at_ == text_.log.size();
@@ -159,17 +163,41 @@ class SlowBound {
 
   int byte() { return at_ < text_.log.size() ? static_cast<unsigned char>(text_.log[at_++]) : -1; }
 
+  /// A state and what was asked of it: the hexahedra on open facets, by place, and rules.
+  struct Known {
+    SlowState state;
+    std::map<int, std::vector<SlowHex>> children = {};
+    std::map<int, bool> rules = {};
+  };
+
+  /// The state of the hexahedra. These alone decide which vertices were saturated before the last.
+  Known& known(const IntSet& saturated) {
+    const auto at = known_.find(hexes_);
+    if (at != known_.end()) return at->second;
+    return known_.emplace(hexes_, Known{SlowState(text_, hexes_, saturated)}).first->second;
+  }
+
   bool judge_state(const IntSet& saturated) {
-    const SlowState state(text_, hexes_, saturated);
+    Known& own = known(saturated);
+    const SlowState& state = own.state;
     const int record = byte();
     if (state.open().empty()) return record == 3 && state.bad_link();
-    if (record == 0) return judge_children(state);
-    if (record == 1) return state.face_budget(left());
-    if (record == 2) return state.within_room(left()).is_negative();
-    if (record == 3) return state.bad_link();
-    if (record == 4) return less_by_symmetry();
-    if (record == 6) return text_.is_ball && state.lacks_partners();
-    if (record != 5) return false;
+    if (record == 0) return judge_children(own);
+    if (record == 5) return judge_apart(state);
+    const auto [rule, is_new] = own.rules.try_emplace(record);
+    if (is_new) rule->second = holds(record, state);
+    return rule->second;
+  }
+
+  [[nodiscard]] bool holds(int rule, const SlowState& state) const {
+    if (rule == 1) return state.face_budget(left());
+    if (rule == 2) return state.within_room(left()).is_negative();
+    if (rule == 3) return state.bad_link();
+    if (rule == 4) return less_by_symmetry();
+    return rule == 6 && text_.is_ball && state.lacks_partners();
+  }
+
+  bool judge_apart(const SlowState& state) {
     std::vector<int> facets;
     for (int i = 0; i <= left(); ++i) {
       const int place = byte();
@@ -185,11 +213,16 @@ class SlowBound {
     return true;
   }
 
-  bool judge_children(const SlowState& state) {
+  bool judge_children(Known& own) {
+    const SlowState& state = own.state;
     const int place = byte();
     if (left() == 0 || place < 0 || place >= static_cast<int>(state.open().size())) return false;
-    for (const SlowHex& h :
-         state.children(state.open()[static_cast<std::size_t>(place)], state.within_room(left()))) {
+    const auto [children, is_new] = own.children.try_emplace(place);
+    if (is_new) {
+      children->second =
+          state.children(state.open()[static_cast<std::size_t>(place)], state.within_room(left()));
+    }
+    for (const SlowHex& h : children->second) {
       hexes_.push_back(h);
       const bool good = judge_state(state.saturated());
       hexes_.pop_back();
@@ -206,11 +239,8 @@ class SlowBound {
       return state.bad_link();
     }
     std::vector<std::string> records;
-    if (state.face_budget(left())) records.emplace_back("\1");
-    if (state.within_room(left()).is_negative()) records.emplace_back("\2");
-    if (state.bad_link()) records.emplace_back("\3");
-    if (less_by_symmetry()) records.emplace_back("\4");
-    if (state.lacks_partners()) records.emplace_back("\6");
+    for (const int rule : {1, 2, 3, 4, 6})
+      if (holds(rule, state)) records.emplace_back(1, static_cast<char>(rule));
     const std::size_t own = visits_.size();
     visits_.push_back({text_.log.size(), 0});
     for (const std::string& record : records) visits_[own].rules.insert(record[0]);
@@ -271,6 +301,7 @@ class SlowBound {
   BoundText text_;
   std::vector<std::vector<int>> automorphisms_;
   std::vector<SlowHex> hexes_;
+  std::map<std::vector<SlowHex>, Known> known_;
   std::size_t at_ = 0;
   std::size_t most_ = 0;
   std::mt19937_64 random_;
