@@ -1,7 +1,6 @@
 hexatlas_tests(sabotage_bound fast
   SOURCES bound_certificates_test.cpp bound_sabotage_test.cpp
   USES tables_check tables_build enum_hexes enum_canon)
-hexatlas_tests(sabotage_bound long SOURCES bound_sabotage_test.cpp USES tables_check)
 hexatlas_tests(sabotage_catalogue long SOURCES catalogue_sabotage_test.cpp USES tables_check)
 hexatlas_tests(sabotage_delaunay fast SOURCES delaunay_sabotage_test.cpp USES tables_check)
 foreach(label fast long)
