@@ -25,7 +25,7 @@ class Zones(MeshTest):
         self.assertEqual((said["layers"], said["cavity_filled_by"]), (0, "table"))
 
     def test_blocks(self):
-        for cubes in BLOCKS:
+        for cubes in program.share_of(BLOCKS):
             for method in ("auto", "zones"):
                 with self.subTest(cubes=cubes, method=method):
                     said = self.mesh_and_judge(surfaces.block(*cubes), "out.vtk", "--effort", "0",
@@ -37,7 +37,7 @@ class Zones(MeshTest):
 
     def test_disguised_blocks(self):
         rng = random.Random(11)
-        for cubes in 3 * BLOCKS:
+        for cubes in program.share_of(3 * BLOCKS):
             said = self.mesh_and_judge(disguised(surfaces.block(*cubes), rng), "out.mesh", "--effort", "0")
             self.expect_structured(said, cubes)
 
@@ -47,7 +47,7 @@ class Zones(MeshTest):
                       "0.50 hexahedra per quad\n", ran.out)
 
     def test_where_zones_do_not_suffice(self):
-        for surface in (surfaces.trapezohedron(31), surfaces.random_surface(80, 5)):
+        for surface in program.share_of((surfaces.trapezohedron(31), surfaces.random_surface(80, 5))):
             quads = len(surface[1])
             ran = self.expect(4, self.mesh(surface, "--method", "zones", "--effort", "0"))
             self.assertEqual(ran.out, "")
@@ -88,11 +88,13 @@ class Flips(MeshTest):
         self.assertEqual(self.read("1.vtk"), self.read("5.vtk"))
 
     def test_small_surfaces_if_asked(self):
-        for surface in (surfaces.cube(), surfaces.block(2, 1, 1), surfaces.trapezohedron(5), surfaces.grid_cube(2)):
+        for surface in program.share_of((surfaces.trapezohedron(5), surfaces.cube(), surfaces.block(2, 1, 1),
+                                         surfaces.grid_cube(2))):
             self.flip(surface, "out.mesh", "--method", "flips")
 
     def test_layers(self):
-        for surface in (surfaces.random_surface(40, 2), surfaces.grid_cube(2), surfaces.trapezohedron(20)):
+        for surface in program.share_of((surfaces.random_surface(40, 2), surfaces.grid_cube(2),
+                                         surfaces.trapezohedron(20))):
             for layers in (1, 2):
                 said = self.flip(surface, "out.vtk", "--method", "flips", "--layers", str(layers))
                 self.assertGreaterEqual(said["layers"], layers)

@@ -115,12 +115,12 @@ class Untangle(program.ProgramTest):
                 self.expect(0, self.hexatlas("check", "out.vtk"))
 
     def test_threads(self):
-        for threads in ("1", "3"):
-            self.expect(0, self.hexatlas("mesh", "hex", PYRAMID, "-o", f"{threads}.vtk", "-j", threads))
-            self.expect(4, self.hexatlas("mesh", "boundary", "octagonal-spindle", "-o", f"s{threads}.vtk",
-                                         "--require-valid", "--effort", "1", "-j", threads))
-        self.assertEqual(self.read("1.vtk"), self.read("3.vtk"))
-        self.assertEqual(self.read("s1.vtk"), self.read("s3.vtk"))
+        pyramid = ("mesh", "hex", PYRAMID)
+        spindle = ("mesh", "boundary", "octagonal-spindle", "--require-valid", "--effort", "1")
+        for code, command in program.share_of(((0, pyramid), (4, spindle))):
+            for threads in ("1", "3"):
+                self.expect(code, self.hexatlas(*command, "-o", f"{threads}.vtk", "-j", threads))
+            self.assertEqual(self.read("1.vtk"), self.read("3.vtk"))
 
 
 if __name__ == "__main__":

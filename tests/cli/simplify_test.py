@@ -17,7 +17,7 @@ import surfaces
 
 KEYS = {"before", "after", "interior_vertices", "exchanges", "seconds", "min_scaled_jacobian", "valid", "inverted",
         "histogram"}
-INPUTS = ("two-cubes", "rhombic-dodecahedron", "three-cubes-l", "trapezohedron-4", "schneiders-pyramid")
+INPUTS = ("two-cubes", "rhombic-dodecahedron", "trapezohedron-4", "schneiders-pyramid", "three-cubes-l")
 
 
 def wrapped(points, cells):
