@@ -250,6 +250,11 @@ HexComplex renumbered(HexComplex mesh, std::span<const VertexId> first) {
   return mesh;
 }
 
+HexComplex mirrored(HexComplex mesh) {
+  for (Hexahedron& cell : mesh.hexahedra) cells::exchange_axes(cell);
+  return mesh;
+}
+
 HexComplex compacted(HexComplex mesh, int kept) {
   std::vector<VertexId> first(static_cast<std::size_t>(kept));
   std::iota(first.begin(), first.end(), VertexId{0});

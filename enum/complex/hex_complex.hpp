@@ -46,6 +46,9 @@ struct HexComplex {
 /// As renumbered(), with the vertices 0 .. kept-1 first, which so stay as they are.
 [[nodiscard]] HexComplex compacted(HexComplex mesh, int kept);
 
+/// The mirror image on the same vertices: each hexahedron with its first two axes exchanged.
+[[nodiscard]] HexComplex mirrored(HexComplex mesh);
+
 /// Whether boundary_of(mesh) consists of these quads, as oriented cycles in any order.
 [[nodiscard]] bool has_boundary(const HexComplex& mesh, std::vector<BoundaryQuad> quads);
 

@@ -65,12 +65,10 @@ AxisVector step_between(const Hexahedron& cell, VertexId from, VertexId to) {
 
 /// The mirror image with other vertices inside.
 HexComplex mirrored_outside(const HexComplex& mesh, VertexId shared, VertexId first_new) {
-  HexComplex result = mesh;
-  for (Hexahedron& cell : result.hexahedra) {
-    cells::exchange_axes(cell);
+  HexComplex result = mirrored(mesh);
+  for (Hexahedron& cell : result.hexahedra)
     for (VertexId& v : cell)
       if (v >= shared) v += first_new - shared;
-  }
   return result;
 }
 

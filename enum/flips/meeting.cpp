@@ -5,15 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "enum/cells/cube.hpp"
 #include "enum/core/checks.hpp"
 #include "enum/flips/matching.hpp"
 #include "enum/flips/symmetric_beam.hpp"
 
 namespace hexatlas::flips {
 namespace {
-
-using complex::Hexahedron;
 
 /// The cavities that the frontier of a beam leaves.
 std::vector<Cavity> cavities_of(const Beam& collars) {
@@ -126,10 +123,10 @@ void add_meetings(std::vector<Filling>& fillings, const Beam& balls, const Meeti
 
 Filling filling_of(const Beam& balls, FrontId id) {
   Layers layers = layers_along(balls, id, Growth::outward);
-  if (layers.is_mirrored)
-    for (Hexahedron& cell : layers.hexahedra) cells::exchange_axes(cell);
   std::reverse(layers.hexahedra.begin(), layers.hexahedra.end());
-  return {complex::renumbered({layers.vertices, std::move(layers.hexahedra)}, layers.rim)};
+  complex::HexComplex mesh{layers.vertices, std::move(layers.hexahedra)};
+  if (layers.is_mirrored) mesh = complex::mirrored(std::move(mesh));
+  return {complex::renumbered(std::move(mesh), layers.rim)};
 }
 
 std::optional<int> BeamBalls::least_with(const canon::Code& boundary) const {
@@ -152,7 +149,7 @@ Layers BeamBalls::layers_of(const canon::Code& boundary, std::size_t ball) const
 Scars scars_of(const complex::HexComplex& mesh, const complex::Quadrangulation& boundary) {
   const auto on_boundary = static_cast<std::uint32_t>(boundary.vertices());
   Relation related{};
-  for (const Hexahedron& cell : mesh.hexahedra)
+  for (const complex::Hexahedron& cell : mesh.hexahedra)
     for (const std::uint32_t a : cell)
       for (const std::uint32_t b : cell)
         if (a < on_boundary && b < on_boundary) related[a] |= bit(static_cast<complex::Vertex>(b));

@@ -52,11 +52,6 @@ const std::vector<Meshes>& varied() {
   return kAll;
 }
 
-HexComplex mirrored(HexComplex mesh) {
-  for (Hexahedron& cell : mesh.hexahedra) cells::exchange_axes(cell);
-  return mesh;
-}
-
 TEST(DualClass, IsADifferenceAndTheParity) {
   std::array<int, 8> met{};
   for (const auto& [shared, meshes] : varied()) {
