@@ -134,6 +134,8 @@ class TableSearch {
                         const Origins& origins = {});
 
  private:
+  static constexpr int kNone = 1 << 14;  ///< hexahedra: more than any mesh has
+
   /// A mesh beside the beam: one that has no shelling with boundaries as short as the beam's.
   struct Loose {
     int hexahedra = 0;
