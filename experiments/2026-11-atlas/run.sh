@@ -135,7 +135,8 @@ if [[ "${1:-}" == --search ]]; then
   "$program" table build -o swept.hxt --state swept.state --start-from hexatlas-many.hxt hexatlas-22.hxt \
     "${wider[@]/20261127/20261128}" --memory 14 --max-hexahedra 56
   "$program" table build -o hexatlas-broad.hxt --start-from hexatlas-many.hxt swept.hxt "${last[@]/20261126/20261128}"
-  # Annealing that begins in each dual class; stopped after 137 boundaries, and the table made of what it had saved.
+  # Annealing that begins in each dual class; stopped after 137 boundaries, and the table made of what it had saved; gone on with for 80
+  # more, then for 140 of 51 hexahedra by a program that passed over the others.
   "$program" table build -o all.hxt --state classes.state --start-from swept.state swept.hxt "${wider[@]/20261127/20261128}" \
     --max-hexahedra 1 "${many[@]}" --annealed 700 --anneal-starts 8 --collar-hexahedra 22 --collar-width 1000 --symmetric-width 800
   "$program" table build -o hexatlas.hxt --start-from hexatlas-broad.hxt all.hxt "${last[@]/20261126/20261128}"
