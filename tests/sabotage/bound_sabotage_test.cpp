@@ -8,7 +8,9 @@
 // everything, for up to four hexahedra.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
+#include <utility>
 
 #include "tables/check/bound.hpp"
 #include "tables/check/malformed.hpp"
