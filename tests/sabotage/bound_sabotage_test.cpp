@@ -93,7 +93,7 @@ bool is_accepted(const BoundText& text) {
 
 constexpr std::size_t kMostLog = 20'000;
 
-/// True claims with logs that use all records.
+/// True claims with logs that use all records; with a sanitizer a quarter of them, and the second.
 const std::vector<BoundText>& samples() {
   static const std::vector<BoundText> all = [] {
     const BoundText wheel = double_wheel(5, "q1:0888a55dff");
@@ -108,9 +108,14 @@ const std::vector<BoundText>& samples() {
         limited(spindle(), true, 9, 15, false), limited(wheel, true, 8, 12, false),
         limited(pyramid(), true, 8, 9, false),  limited(wheel, false, 7, 10, false),
         limited(wheel, true, 9, 14, false),     limited(pyramid(), true, 7, 7, false)};
+    std::vector<BoundText> taken;
     std::uint64_t seed = 1;
-    for (BoundText& text : texts) text.log = SlowBound(text).search(++seed, kMostLog).value();
-    return texts;
+    for (std::size_t i = 0; i < texts.size(); ++i, ++seed) {
+      if (support::kSanitized && i % 4 != 0 && i != 1) continue;
+      texts[i].log = SlowBound(texts[i]).search(seed + 1, kMostLog).value();
+      taken.push_back(texts[i]);
+    }
+    return taken;
   }();
   return all;
 }
@@ -252,8 +257,8 @@ TEST(BoundSabotage, AStateIsRefutedByTheRulesThatHold) {
       }
     }
   }
-  EXPECT_GT(held, 500U);
-  EXPECT_GT(failed, 500U);
+  EXPECT_GT(held, static_cast<std::size_t>(support::share_of(500)));
+  EXPECT_GT(failed, static_cast<std::size_t>(support::share_of(500)));
 }
 
 TEST(BoundSabotage, NoPartAndNoContinuationOfALogIsAccepted) {
