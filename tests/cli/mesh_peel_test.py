@@ -37,7 +37,7 @@ class Zones(MeshTest):
 
     def test_disguised_blocks(self):
         rng = random.Random(11)
-        for cubes in program.share_of(3 * BLOCKS):
+        for cubes in program.share_of([cubes for cubes in BLOCKS for _ in range(3)]):
             said = self.mesh_and_judge(disguised(surfaces.block(*cubes), rng), "out.mesh", "--effort", "0")
             self.expect_structured(said, cubes)
 
