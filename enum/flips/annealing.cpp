@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <optional>
 #include <utility>
 
+#include "enum/complex/dual_class.hpp"
 #include "enum/core/checks.hpp"
 #include "enum/flips/walk.hpp"
 #include "enum/parallel/parallel_for.hpp"
@@ -23,27 +25,34 @@ constexpr std::array<Climate, 8> kClimates{Climate(0.2865, 0.000158), Climate(0.
                                            Climate(0.4666, 0.0276),   Climate(0.5098, 0.0614),
                                            Climate(0.5513, 0.1193),   Climate(0.5908, 0.2062)};
 constexpr int kStepsPerRound = 500;
-constexpr std::size_t kTried = 4;  ///< of so many meshes one goes on
+constexpr int kFarAbove = 12;      ///< hexahedra more than the least mesh: no leap from there
+constexpr int kTriesToLeap = 300;  ///< where none of them helps, hardly any will
 
 int size_of(const HexComplex& mesh) { return static_cast<int>(mesh.hexahedra.size()); }
 
-/// A walk, and the least that it saw.
+using Mesh = std::optional<HexComplex>;
+
+/// Whether there is a mesh that has fewer hexahedra than the other one, if there is any.
+bool is_smaller(const Mesh& mesh, const Mesh& other) {
+  return mesh && (!other || size_of(*mesh) < size_of(*other));
+}
+
+/// A walk, and the least mesh without faults that it saw.
 struct Walker {
-  Walker(const HexComplex& mesh, int quads, const Beam& balls, std::uint64_t seed)
-      : walk(mesh, quads, balls, seed), best(mesh), least_with_one_fault(size_of(mesh)) {}
+  Walker(const HexComplex& mesh, int faults, int quads, const Beam& balls, std::uint64_t seed)
+      : walk(mesh, quads, balls, seed, faults) {
+    if (faults == 0) best = mesh;
+  }
 
   void go_on(const Climate& climate, BallLayers& layers) {
     for (int i = 0; i < kStepsPerRound; ++i) {
-      if (!walk.step(climate, layers)) continue;
-      const int size = size_of(walk.mesh());
-      if (walk.faults() == 0 && size < size_of(best)) best = walk.mesh();
-      if (walk.faults() == 1) least_with_one_fault = std::min(least_with_one_fault, size);
+      if (!walk.step(climate, layers) || walk.faults() > 0) continue;
+      if (!best || size_of(walk.mesh()) < size_of(*best)) best = walk.mesh();
     }
   }
 
   Walk walk;
-  HexComplex best;  ///< without faults
-  int least_with_one_fault;
+  Mesh best;
 };
 
 /// Whether two walks trade places, so that each mesh has its probability in each climate.
@@ -54,49 +63,55 @@ bool trade(const Walk& cold, const Climate& of_cold, const Walk& hot, const Clim
   return random.uniform() * of_hot.factor(more, faults) < of_cold.factor(more, faults);
 }
 
-/// Walks in all climates, begun with the same mesh.
-class Tempering {
+/// The least mesh without faults that walks in all climates see, begun with the same mesh.
+/// `layers`: for each climate.
+Mesh tempered(const HexComplex& mesh, int faults, int quads, const Beam& balls, int rounds,
+              int threads, Random& random, std::vector<BallLayers>& layers) {
+  std::deque<Walker> walkers;
+  std::array<Walker*, kClimates.size()> at{};  // the walker in each climate
+  for (Walker*& own : at) own = &walkers.emplace_back(mesh, faults, quads, balls, random.number());
+  for (int round = 0; round < rounds; ++round) {
+    parallel::parallel_for(threads, at.size(),
+                           [&](std::size_t i) { at[i]->go_on(kClimates[i], layers[i]); });
+    for (std::size_t i = at.size() - 1; i-- > 0;)
+      if (trade(at[i]->walk, kClimates[i], at[i + 1]->walk, kClimates[i + 1], random))
+        std::swap(at[i], at[i + 1]);
+  }
+  Mesh least;
+  for (Walker& walker : walkers)
+    if (is_smaller(walker.best, least)) least = std::move(walker.best);
+  return least;
+}
+
+/// The least mesh known of each dual class, relative to the first of all meshes.
+class LeastOfClasses {
  public:
-  Tempering(const HexComplex& mesh, int quads, const Beam& balls, std::uint64_t seed)
-      : balls_(balls), random_(seed) {
-    for (std::size_t i = 0; i < kClimates.size(); ++i) {
-      walkers_.emplace_back(mesh, quads, balls, random_.number());
-      at_[i] = i;
-    }
-  }
+  LeastOfClasses(const HexComplex& reference, int quads)
+      : reference_(reference), shared_(static_cast<complex::VertexId>(quads + 2)) {}
 
-  void go_on(int rounds, int threads) {
-    std::vector<BallLayers> layers(kClimates.size(), BallLayers(balls_));
-    for (int round = 0; round < rounds; ++round) {
-      parallel::parallel_for(threads, at_.size(), [&](std::size_t i) {
-        walkers_[at_[i]].go_on(kClimates[i], layers[i]);
-      });
-      for (std::size_t i = at_.size() - 1; i-- > 0;)
-        if (trade(walkers_[at_[i]].walk, kClimates[i], walkers_[at_[i + 1]].walk, kClimates[i + 1],
-                  random_))
-          std::swap(at_[i], at_[i + 1]);
-    }
+  void put(HexComplex mesh) {
+    Mesh& own = of_class_[static_cast<std::size_t>(complex::dual_class(mesh, reference_, shared_))];
+    if (!own || size_of(mesh) < size_of(*own)) own = std::move(mesh);
   }
-
-  [[nodiscard]] const HexComplex& best() const {
-    return std::min_element(
-               walkers_.begin(), walkers_.end(),
-               [](const Walker& a, const Walker& b) { return size_of(a.best) < size_of(b.best); })
-        ->best;
+  [[nodiscard]] const HexComplex& least() const {
+    const Mesh* result = &of_class_[0];
+    for (const Mesh& mesh : of_class_)
+      if (is_smaller(mesh, *result)) result = &mesh;
+    return result->value();
   }
-  /// The less, the more may be hoped for: a fault is often mended by a few hexahedra.
-  [[nodiscard]] int promise() const {
-    int with_one_fault = walkers_.front().least_with_one_fault;
-    for (const Walker& walker : walkers_)
-      with_one_fault = std::min(with_one_fault, walker.least_with_one_fault);
-    return 3 * size_of(best()) + with_one_fault;
+  /// One of those that are not much larger than the least one.
+  [[nodiscard]] const HexComplex& some(Random& random) const {
+    std::vector<const HexComplex*> near;
+    const int most = size_of(least()) + kFarAbove;
+    for (const Mesh& mesh : of_class_)
+      if (mesh && size_of(*mesh) <= most) near.push_back(&*mesh);
+    return *near[random.below(near.size())];
   }
 
  private:
-  const Beam& balls_;
-  Random random_;
-  std::deque<Walker> walkers_;
-  std::array<std::size_t, kClimates.size()> at_{};  ///< the walker in each climate
+  const HexComplex& reference_;
+  complex::VertexId shared_;
+  std::array<Mesh, 8> of_class_;
 };
 
 }  // namespace
@@ -105,24 +120,20 @@ HexComplex least_by_annealing(const std::vector<HexComplex>& starts, int quads, 
                               const AnnealingOptions& options) {
   core::expects(!starts.empty(), "annealing begins with a mesh");
   Random random(options.seed);
-  HexComplex least = starts.front();
-  std::deque<Tempering> all;
-  std::vector<Tempering*> live;
-  live.reserve(starts.size());
-  for (const HexComplex& mesh : starts)
-    live.push_back(&all.emplace_back(mesh, quads, balls, random.number()));
-  for (int rounds = options.rounds;; rounds *= 2) {
-    const int inside = live.size() == 1 ? options.threads : 1;
-    parallel::parallel_for(options.threads, live.size(),
-                           [&](std::size_t i) { live[i]->go_on(rounds, inside); });
-    for (const Tempering* each : live)
-      if (size_of(each->best()) < size_of(least)) least = each->best();
-    if (live.size() == 1) return least;
-    std::stable_sort(live.begin(), live.end(), [](const Tempering* a, const Tempering* b) {
-      return a->promise() < b->promise();
-    });
-    live.resize((live.size() + kTried - 1) / kTried);
+  std::vector<BallLayers> layers(kClimates.size(), BallLayers(balls));
+  LeastOfClasses least(starts.front(), quads);
+  const auto anneal = [&](const HexComplex& mesh, int faults) {
+    if (Mesh found =
+            tempered(mesh, faults, quads, balls, options.rounds, options.threads, random, layers))
+      least.put(*std::move(found));
+  };
+  for (const HexComplex& mesh : starts) anneal(mesh, 0);
+  for (int i = 0; i < options.leaps; ++i) {
+    Walk walk(least.some(random), quads, balls, random.number());
+    if (walk.leap(kClimates.back(), layers.back(), kTriesToLeap))
+      anneal(walk.mesh(), walk.faults());
   }
+  return least.least();
 }
 
 }  // namespace hexatlas::flips

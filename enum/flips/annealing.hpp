@@ -1,16 +1,18 @@
 #pragma once
 /// \file
-/// Small meshes of a boundary by annealing, begun with several meshes.
+/// Small meshes of a boundary by annealing in each dual class.
 ///
 /// Method. A walk (walk.hpp) in which a further hexahedron and a further fault each cost a factor
 /// of the probability. Several walks at once, from cold ones, for which both cost much, to hot
 /// ones, trade places. However hot, a walk hardly ever leaves the dual class of the mesh that it
-/// began with (enum/complex/dual_class.hpp). So several meshes compete: after each stage the most
-/// promising quarter of them goes on, twice as long as before.
+/// began with (enum/complex/dual_class.hpp), and within a few rounds it has found what this class
+/// has. So each class gets short walks of its own, and a *leap* makes a mesh of one class from that
+/// of another: a large ball of it is exchanged for one with the other parity. Leaps begin with the
+/// least meshes known of classes drawn at random, other than those that are much larger.
 ///
 /// Sources. Annealing: Kirkpatrick, Gelatt, Vecchi (Science 220, 1983); walks that trade places:
-/// Swendsen, Wang (Phys. Rev. Lett. 57, 1986); contests in stages: Karnin, Koren, Somekh (ICML
-/// 2013).
+/// Swendsen, Wang (Phys. Rev. Lett. 57, 1986); large steps, each followed by a search: Martin,
+/// Otto, Felten (Complex Systems 5, 1991).
 
 #include <cstdint>
 #include <vector>
@@ -21,9 +23,9 @@
 namespace hexatlas::flips {
 
 struct AnnealingOptions {
-  /// Of the first stage, of each mesh: each is 500 steps of 8 walks, after which neighbours may
-  /// trade.
-  int rounds = 100;
+  /// After a beginning or a leap: each is 500 steps of 8 walks, after which neighbours may trade.
+  int rounds = 6;
+  int leaps = 40;  ///< from one dual class to another
   std::uint64_t seed = 1;
   int threads = 1;  ///< does not change the result
 };
@@ -32,8 +34,8 @@ struct AnnealingOptions {
 /// Vertices 0 .. quads+1 are those of the boundary and stay. Requires that each of `starts`, at
 /// least one, is a ball under the strict rule, right-handed, with this boundary, and that `balls`
 /// grew from the single hexahedron. Deterministic.
-/// Not promised: that the mesh has a shelling. Cost: about 0.05 s per mesh and round of the first
-/// stage, and in all others together as much again.
+/// Not promised: that the mesh has a shelling. Cost: about 0.05 s per round of each beginning and
+/// leap.
 [[nodiscard]] complex::HexComplex least_by_annealing(const std::vector<complex::HexComplex>& starts,
                                                      int quads, const Beam& balls,
                                                      const AnnealingOptions& options);

@@ -72,9 +72,10 @@ struct Draw {
 /// One of the balls that fit in place of the sub-ball, in all positions, drawn by their weights;
 /// nullopt for the sub-ball itself, which has weight 1. Mostly nullopt, too, for a ball with as
 /// many hexahedra and the same scars: nearly always it is the sub-ball again, and most draws are
-/// such. `sums` is made use of.
+/// such. If the parity must change, only balls with that are drawn, and not the sub-ball. `sums`
+/// is made use of.
 std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Climate& climate,
-                         Random& random, std::vector<double>& sums) {
+                         bool change_parity, Random& random, std::vector<double>& sums) {
   const Front& front = ball.front();
   canon::CanonicalFlags flags;
   canon::canonical_flags(front.boundary, flags);
@@ -88,17 +89,19 @@ std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Climate& 
   };
   const int own = own_scars(positions[0]).size_in_common(positions[0].scars);
   const auto& known = balls.store().family(*number).fronts;
-  double total = 1;
+  const double to_stay = change_parity ? 0 : 1;
+  double total = to_stay;
   sums.clear();
   for (const Position& position : positions)
     for (const StoredFront& other : known) {
       const int more = other.level + 1 - size;
-      if (more <= kClimb)
+      if (more <= kClimb && !(change_parity && more % 2 == 0))
         total += climate.factor(more, other.scars.size_in_common(position.scars) - own);
       sums.push_back(total);
     }
+  if (total == 0) return std::nullopt;
   const double at = std::min(random.uniform() * total, std::nextafter(total, 0.0));
-  if (at < 1) return std::nullopt;
+  if (at < to_stay) return std::nullopt;
   const auto drawn =
       static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end(), at) - sums.begin());
   const Position& position = positions[drawn / known.size()];
@@ -119,17 +122,25 @@ const Layers& BallLayers::of(FrontId ball) {
   return at->second;
 }
 
-Walk::Walk(HexComplex mesh, int quads, const Beam& balls, std::uint64_t seed)
+Walk::Walk(HexComplex mesh, int quads, const Beam& balls, std::uint64_t seed, int faults)
     : mesh_(std::move(mesh)),
       quads_(quads),
       balls_(balls),
       random_(seed),
       neighbours_(SubBall::neighbours_of(mesh_)),
-      ball_(mesh_, neighbours_, 0) {}
+      ball_(mesh_, neighbours_, 0),
+      faults_(faults) {}
 
-bool Walk::exchange(const Climate& climate, BallLayers& layers) {
+/// Grows a ball somewhere. Returns whether it came to that size.
+bool Walk::grow_to(std::size_t size, int weight) {
+  while (ball_.cells().size() < size)
+    if (!ball_.grow_somewhere(random_, weight)) return false;
+  return true;
+}
+
+bool Walk::exchange(const Climate& climate, BallLayers& layers, Choice choice) {
   if (ball_.quads() > balls_.options().max_quads) return false;
-  const auto drawn = draw(ball_, balls_, climate, random_, sums_);
+  const auto drawn = draw(ball_, balls_, climate, choice == Choice::other_parity, random_, sums_);
   if (!drawn) return false;
   HexComplex made = complex::compacted(
       exchanged(mesh_, ball_, layers.of(drawn->fit.ball), drawn->fit), quads_ + 2);
@@ -145,9 +156,20 @@ bool Walk::step(const Climate& climate, BallLayers& layers) {
   ball_.restart(static_cast<std::uint32_t>(random_.below(mesh_.hexahedra.size())));
   const std::size_t size = kSmallestBall + random_.below(kLargestBall - kSmallestBall + 1);
   const int weight = static_cast<int>(random_.below(5));
-  while (ball_.cells().size() < size)
-    if (!ball_.grow_somewhere(random_, weight)) return false;
-  return exchange(climate, layers);
+  return grow_to(size, weight) && exchange(climate, layers, Choice::any);
+}
+
+bool Walk::leap(const Climate& climate, BallLayers& layers, int tries) {
+  const std::size_t all = mesh_.hexahedra.size();
+  const std::size_t least = (all + 1) / 2;  // smaller balls have hardly any of the other parity
+  for (int i = 0; i < tries && least < all; ++i) {
+    ball_.restart(static_cast<std::uint32_t>(random_.below(all)));
+    const std::size_t size = least + random_.below(all - least);
+    const int weight = 1 + static_cast<int>(random_.below(8));
+    (void)grow_to(size, weight);  // whatever size it came to
+    if (exchange(climate, layers, Choice::other_parity)) return true;
+  }
+  return false;
 }
 
 }  // namespace hexatlas::flips

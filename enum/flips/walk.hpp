@@ -69,9 +69,9 @@ class Climate {
 /// boundary and stay.
 class Walk {
  public:
-  /// Requires a ball under the strict rule, right-handed, with such a boundary, and that `balls`,
-  /// which must outlive this, grew from the single hexahedron.
-  Walk(complex::HexComplex mesh, int quads, const Beam& balls, std::uint64_t seed);
+  /// Requires a ball glued of right-handed hexahedra, with such a boundary and so many faults, and
+  /// that `balls`, which must outlive this, grew from the single hexahedron.
+  Walk(complex::HexComplex mesh, int quads, const Beam& balls, std::uint64_t seed, int faults = 0);
   Walk(const Walk&) = delete;
   Walk& operator=(const Walk&) = delete;
   Walk(Walk&&) = delete;
@@ -84,13 +84,25 @@ class Walk {
   /// Cost: some ten microseconds. `layers`: of the same balls; the result does not depend on which
   /// of them it has at hand.
   bool step(const Climate& climate, BallLayers& layers);
+  /// Exchanges a large ball, grown somewhere, for one with an even number of hexahedra instead of
+  /// an odd one, or the other way round: of those that the climate weighs as above. So the walk
+  /// leaves its dual class (enum/complex/dual_class.hpp), which a step hardly ever does. Returns
+  /// whether one was found in so many tries. Cost: some ten microseconds per try.
+  bool leap(const Climate& climate, BallLayers& layers, int tries);
 
   [[nodiscard]] const complex::HexComplex& mesh() const noexcept { return mesh_; }
   /// A ball with as many faults; with none it obeys the strict rule.
   [[nodiscard]] int faults() const noexcept { return faults_; }
 
  private:
-  bool exchange(const Climate& climate, BallLayers& layers);
+  /// Which balls an exchange may put in.
+  enum class Choice : std::uint8_t {
+    any,
+    other_parity  ///< of the number of hexahedra
+  };
+
+  bool grow_to(std::size_t size, int weight);
+  bool exchange(const Climate& climate, BallLayers& layers, Choice choice);
 
   complex::HexComplex mesh_;
   int quads_;

@@ -11,7 +11,8 @@
 /// involution, and *collars*: hexahedra are taken off inwards until a known ball fits
 /// (enum/flips/meeting.hpp). *Annealing*: exchange that may break the strict rule for a while
 /// (enum/flips/annealing.hpp), begun with the known mesh and with others of the same boundary from
-/// collars of all kinds, of each dual class (enum/complex/dual_class.hpp). What is found goes back
+/// collars of all kinds, and from there in each dual class (enum/complex/dual_class.hpp) that leaps
+/// come to. What is found goes back
 /// into the beam, with all balls on the way, and the next sweep goes on from there: so a mesh one
 /// flip away from a smaller one becomes smaller, too. A mesh without a shelling that the beam could
 /// hold is kept beside it.
@@ -59,11 +60,12 @@ struct SearchOptions {
   /// degree have no short way back to fewer.
   flips::BeamOptions collars{
       .max_quads = flips::kMaxSearchQuads, .fronts_per_class = 20, .fronts_per_level = 3'000};
-  int max_collar = 12;            ///< hexahedra
-  std::size_t collared = 100;     ///< boundaries per round
-  std::size_t annealed = 0;       ///< boundaries per round
-  std::size_t anneal_starts = 8;  ///< meshes that annealing of one boundary begins with
-  int anneal_rounds = 60;         ///< of annealing, per mesh (enum/flips/annealing.hpp)
+  int max_collar = 12;             ///< hexahedra
+  std::size_t collared = 100;      ///< boundaries per round
+  std::size_t annealed = 0;        ///< boundaries per round
+  std::size_t anneal_starts = 16;  ///< meshes that annealing of one boundary begins with
+  int anneal_rounds = 6;           ///< of annealing, per beginning and leap
+  int anneal_leaps = 40;           ///< from one dual class to another (enum/flips/annealing.hpp)
 };
 
 /// How the mesh of a boundary was found, as a word of the census; and the other way round, for

@@ -32,7 +32,8 @@ std::size_t per_step(const flips::BeamOptions& collars) {
 std::size_t annealed_per_step(const SearchOptions& options) {
   constexpr std::size_t kRounds = 5'000;
   const std::size_t rounds =
-      2 * options.anneal_starts * static_cast<std::size_t>(options.anneal_rounds);
+      (options.anneal_starts + static_cast<std::size_t>(options.anneal_leaps)) *
+      static_cast<std::size_t>(options.anneal_rounds);
   return std::clamp<std::size_t>(kRounds / rounds, 1, kBoundariesPerStep);
 }
 
@@ -178,9 +179,11 @@ void TableSearch::anneal_step() {
   adopt_all(batch, [&](const canon::Code& code, int threads) -> std::optional<Found> {
     const std::vector<complex::HexComplex> starts = beginnings(code, threads);
     if (starts.empty()) return std::nullopt;
-    auto mesh = flips::least_by_annealing(
-        starts, code.quads, balls_,
-        {.rounds = options_.anneal_rounds, .seed = seed_for(code), .threads = threads});
+    auto mesh = flips::least_by_annealing(starts, code.quads, balls_,
+                                          {.rounds = options_.anneal_rounds,
+                                           .leaps = options_.anneal_leaps,
+                                           .seed = seed_for(code),
+                                           .threads = threads});
     if (static_cast<int>(mesh.hexahedra.size()) >= hexahedra(code)) return std::nullopt;
     return in_order(code, {std::move(mesh), flips::FrontOrigin::exchanged});
   });

@@ -1,5 +1,5 @@
 // Claim. Annealing finds meshes with fewer hexahedra, never one larger than those that it begins
-// with, the same for any number of threads.
+// with, the same for any number of threads; by leaps it finds some that it does not find without.
 // Oracle. Meshes checked by sets.
 #include "enum/flips/annealing.hpp"
 
@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "enum/complex/dual_class.hpp"
 #include "enum/flips/meeting.hpp"
 #include "tests/enum/flips/small_beam.hpp"
 #include "tests/enum/support.hpp"
@@ -23,7 +24,7 @@ TEST(Annealing, FindsFewerHexahedraForAnyNumberOfThreads) {
     const auto records = beam.fronts_of(code);
     if (records.back().level < records.front().level + 6 || code.quads > 16) continue;
     const auto mesh = flips::filling_of(beam, records.back().id).mesh;
-    flips::AnnealingOptions options{.rounds = 2, .seed = 7, .threads = 1};
+    flips::AnnealingOptions options{.rounds = 2, .leaps = 2, .seed = 7, .threads = 1};
     const auto least = flips::least_by_annealing({mesh}, code.quads, beam, options);
     EXPECT_LT(least.hexahedra.size(), mesh.hexahedra.size()) << canon::to_text(code);
     EXPECT_EQ(support::fault_of_mesh(least, code), "") << canon::to_text(code);
@@ -44,7 +45,7 @@ TEST(Annealing, BeginsWithSeveralMeshes) {
     std::vector<complex::HexComplex> starts;
     for (std::size_t i = 5; i-- > 0;)
       starts.push_back(flips::filling_of(beam, records[i * (records.size() - 1) / 4].id).mesh);
-    flips::AnnealingOptions options{.rounds = 1, .seed = 3, .threads = 1};
+    flips::AnnealingOptions options{.rounds = 1, .leaps = 3, .seed = 3, .threads = 1};
     const auto least = flips::least_by_annealing(starts, code.quads, beam, options);
     for (const auto& mesh : starts) EXPECT_LE(least.hexahedra.size(), mesh.hexahedra.size());
     EXPECT_EQ(support::fault_of_mesh(least, code), "") << canon::to_text(code);
@@ -54,6 +55,27 @@ TEST(Annealing, BeginsWithSeveralMeshes) {
     if (++tried == 4) break;
   }
   EXPECT_EQ(tried, 4U);
+}
+
+TEST(Annealing, FindsMeshesOfOtherDualClassesByLeaps) {
+  const auto beam = grown(20, 30, 2'000, 44);
+  std::size_t tried = 0, in_other_class = 0;
+  for (const auto& code : beam.codes()) {
+    const auto records = beam.fronts_of(code);
+    if ((records.back().level - records.front().level) % 2 == 0) continue;
+    const auto mesh = flips::filling_of(beam, records.back().id).mesh;
+    flips::AnnealingOptions options{.rounds = 1, .leaps = 0, .seed = 5, .threads = 2};
+    const auto without = flips::least_by_annealing({mesh}, code.quads, beam, options);
+    options.leaps = 8;
+    const auto least = flips::least_by_annealing({mesh}, code.quads, beam, options);
+    ASSERT_LE(least.hexahedra.size(), without.hexahedra.size()) << canon::to_text(code);
+    ASSERT_EQ(support::fault_of_mesh(least, code), "") << canon::to_text(code);
+    if (least.hexahedra.size() < without.hexahedra.size() &&
+        complex::dual_class(least, mesh, static_cast<complex::VertexId>(code.quads + 2)) != 0)
+      ++in_other_class;
+    if (++tried == 20 || in_other_class == 3) break;
+  }
+  EXPECT_EQ(in_other_class, 3U) << "of " << tried;
 }
 
 TEST(Annealing, KeepsWhatItBeganWithIfItFindsNothing) {

@@ -1,6 +1,7 @@
 // Claim. A walk knows the faults of its mesh, which keeps its boundary and obeys the strict rule
-// exactly when there are none; it does not depend on the layers at hand.
-// Oracle. Faults by sets: classes of hexahedra joined through facets, pair by pair.
+// exactly when there are none; it does not depend on the layers at hand. A leap changes the parity
+// of the number of hexahedra, and goes from small balls to none. Oracle. Faults by sets: classes of
+// hexahedra joined through facets, pair by pair.
 #include "enum/flips/walk.hpp"
 
 #include <gtest/gtest.h>
@@ -89,6 +90,43 @@ TEST(Walk, KnowsTheFaultsOfItsMesh) {
   }
   EXPECT_GT(with_faults, 20U);
   EXPECT_GT(without, 20U);
+}
+
+TEST(Walk, LeapsToAnOddNumberOfHexahedraFromAnEvenOneAndBack) {
+  const auto beam = grown(20, 30, 2'000, 44);
+  std::size_t leaps = 0;
+  for (const auto& code : beam.codes()) {
+    const auto records = beam.fronts_of(code);
+    if ((records.back().level - records.front().level) % 2 == 0) continue;
+    const auto start = flips::filling_of(beam, records.back().id).mesh;
+    Walk walk(start, code.quads, beam, 11), other(start, code.quads, beam, 11);
+    flips::BallLayers layers(beam), none(beam);
+    const auto boundary = oracle::boundary(cells_of(start));
+    for (int i = 0; i < 3; ++i) {
+      const auto before = walk.mesh().hexahedra.size();
+      const bool leapt = walk.leap(Climate(0.6, 0.2), layers, 30);
+      ASSERT_EQ(other.leap(Climate(0.6, 0.2), none, 30), leapt);
+      ASSERT_EQ(other.mesh().hexahedra, walk.mesh().hexahedra);
+      ASSERT_EQ((walk.mesh().hexahedra.size() - before) % 2 != 0, leapt);
+      if (!leapt) break;
+      const auto cells = cells_of(walk.mesh());
+      ASSERT_EQ(walk.faults(), faults_of(cells));
+      ASSERT_EQ(oracle::boundary(cells), boundary);
+      ++leaps;
+    }
+    if (leaps >= 12) break;
+  }
+  EXPECT_GE(leaps, 12U);
+}
+
+TEST(Walk, HasNoLeapFromASmallMesh) {
+  const auto beam = grown(12, 5, 100, 6);
+  const auto code = beam.codes().back();
+  const auto start = flips::filling_of(beam, beam.fronts_of(code).front().id).mesh;
+  Walk walk(start, code.quads, beam, 1);
+  flips::BallLayers layers(beam);
+  EXPECT_FALSE(walk.leap(Climate(0.6, 0.2), layers, 100));
+  EXPECT_EQ(walk.mesh().hexahedra, start.hexahedra);
 }
 
 }  // namespace
