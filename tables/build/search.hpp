@@ -11,11 +11,10 @@
 /// involution, and *collars*: hexahedra are taken off inwards until a known ball fits
 /// (enum/flips/meeting.hpp). *Annealing*: exchange that may break the strict rule for a while
 /// (enum/flips/annealing.hpp), begun with the known mesh and with others of the same boundary from
-/// collars of all kinds, and from there in each dual class (enum/complex/dual_class.hpp) that leaps
-/// come to. What is found goes back
-/// into the beam, with all balls on the way, and the next sweep goes on from there: so a mesh one
-/// flip away from a smaller one becomes smaller, too. A mesh without a shelling that the beam could
-/// hold is kept beside it.
+/// collars of all kinds, in each dual class (enum/complex/dual_class.hpp) that these have or leaps
+/// come to. What is found goes back into the beam, with all balls on the way, and the next sweep
+/// goes on from there: so a mesh one flip away from a smaller one becomes smaller, too. A mesh
+/// without a shelling that the beam could hold is kept beside it.
 ///
 /// The search proceeds in steps of seconds to a few minutes. Between two steps it can be saved.
 

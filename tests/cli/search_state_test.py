@@ -102,7 +102,8 @@ class SearchState(program.ProgramTest):
             self.assertEqual(self.read("bad.state"), bad)
         for name, value in (("--seed", "2"), ("--widest", "22"), ("--collar-hexahedra", "5"),
                             ("--collar-widest", "24"), ("--collar-width", "70"), ("--collar-narrow", "1"),
-                            ("--anneal-starts", "2"), ("--anneal-rounds", "2"), ("--anneal-leaps", "2"), ("--annealed", "1")):
+                            ("--anneal-starts", "2"), ("--anneal-rounds", "2"), ("--anneal-leaps", "2"),
+                            ("--annealed", "1")):
             self.expect_fault(self.hexatlas("table", "build", "-o", "b.hxt", *with_other(name, value),
                                             "--state", "s.state"), "s.state")
         self.assertEqual(self.read("s.state"), good)

@@ -1,7 +1,7 @@
 // Claim. A walk knows the faults of its mesh, which keeps its boundary and obeys the strict rule
 // exactly when there are none; it does not depend on the layers at hand. A leap changes the parity
-// of the number of hexahedra, and goes from small balls to none. Oracle. Faults by sets: classes of
-// hexahedra joined through facets, pair by pair.
+// of the number of hexahedra, and a mesh that is too small for one stays as it is.
+// Oracle. Faults by sets: classes of hexahedra joined through facets, pair by pair.
 #include "enum/flips/walk.hpp"
 
 #include <gtest/gtest.h>
