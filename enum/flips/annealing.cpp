@@ -32,9 +32,9 @@ int size_of(const HexComplex& mesh) { return static_cast<int>(mesh.hexahedra.siz
 
 using Mesh = std::optional<HexComplex>;
 
-/// Whether there is a mesh that has fewer hexahedra than the other one, if there is any.
-bool is_smaller(const Mesh& mesh, const Mesh& other) {
-  return mesh && (!other || size_of(*mesh) < size_of(*other));
+/// Whether the mesh has fewer hexahedra than the other one, if there is any.
+bool is_smaller(const HexComplex& mesh, const Mesh& other) {
+  return !other || size_of(mesh) < size_of(*other);
 }
 
 /// A walk, and the least mesh without faults that it saw.
@@ -47,7 +47,7 @@ struct Walker {
   void go_on(const Climate& climate, BallLayers& layers) {
     for (int i = 0; i < kStepsPerRound; ++i) {
       if (!walk.step(climate, layers) || walk.faults() > 0) continue;
-      if (!best || size_of(walk.mesh()) < size_of(*best)) best = walk.mesh();
+      if (is_smaller(walk.mesh(), best)) best = walk.mesh();
     }
   }
 
@@ -79,7 +79,7 @@ Mesh tempered(const HexComplex& mesh, int faults, int quads, const Beam& balls, 
   }
   Mesh least;
   for (Walker& walker : walkers)
-    if (is_smaller(walker.best, least)) least = std::move(walker.best);
+    if (walker.best && is_smaller(*walker.best, least)) least = std::move(walker.best);
   return least;
 }
 
@@ -91,12 +91,12 @@ class LeastOfClasses {
 
   void put(HexComplex mesh) {
     Mesh& own = of_class_[static_cast<std::size_t>(complex::dual_class(mesh, reference_, shared_))];
-    if (!own || size_of(mesh) < size_of(*own)) own = std::move(mesh);
+    if (is_smaller(mesh, own)) own = std::move(mesh);
   }
   [[nodiscard]] const HexComplex& least() const {
     const Mesh* result = &of_class_[0];
     for (const Mesh& mesh : of_class_)
-      if (is_smaller(mesh, *result)) result = &mesh;
+      if (mesh && is_smaller(*mesh, *result)) result = &mesh;
     return result->value();
   }
   /// One of those that are not much larger than the least one.

@@ -118,9 +118,10 @@ if [[ "${1:-}" == --search ]]; then
   last=(--width 1 --per-class 1 "${six[@]}" "${plain[@]}" --max-hexahedra 1 --cut 0 --collared 0)
   "$program" table build -o hexatlas-now.hxt --start-from hexatlas-begun.hxt again-22.hxt "${last[@]}"
   "$program" table build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas-now.hxt again-22.hxt "${last[@]}"
-  # A wider sweep and annealing of many, in a contest that went on with the promising meshes; each was stopped, after 8 and after 33 minutes, and the table made of what it had saved;
-  # the second one went on then for 100 minutes.
-  many=(--anneal-rounds 40 --anneal-leaps 0 --collar-widest 28 --collar-narrow 3 --symmetric-hexahedra 50 --symmetric-widest 38)
+  # A wider sweep and annealing of many, in a contest that went on with the promising meshes; each was stopped, after 8 and after 33
+  # minutes, and the table made of what it had saved; the second one went on then for 100 minutes.
+  beginnings=(--collar-widest 28 --collar-narrow 3 --symmetric-hexahedra 50 --symmetric-widest 38)
+  many=(--anneal-rounds 40 --anneal-leaps 0 "${beginnings[@]}")
   quiet=(--rounds 1 --growths 0 --cut 0 --collared 0 "${plain[@]}")
   "$program" table build -o contest.hxt --start-from again-22.state hexatlas-now.hxt --width 900000 --per-class 200 --seed 20261126 \
     --max-hexahedra 1 "${quiet[@]}" "${many[@]}" --annealed 142 --anneal-starts 8 --collar-hexahedra 24 --collar-width 1500 --symmetric-width 1000
@@ -144,8 +145,7 @@ if [[ "${1:-}" == --search ]]; then
   "$program" table build -o swept.hxt --state swept-again.state --start-from hexatlas-classes.hxt hexatlas-22.hxt \
     "${wider[@]/20261127/20261201}" --memory 14 --max-hexahedra 56
   "$program" table build -o leapt.hxt --state leapt.state --start-from swept-again.state swept.hxt "${wider[@]/20261127/20261201}" \
-    --max-hexahedra 1 --annealed 520 --anneal-rounds 5 --collar-widest 28 --collar-narrow 3 --symmetric-hexahedra 50 \
-    --symmetric-widest 38 --collar-hexahedra 22 --collar-width 1000 --symmetric-width 800
+    --max-hexahedra 1 --annealed 520 --anneal-rounds 5 "${beginnings[@]}" --collar-hexahedra 22 --collar-width 1000 --symmetric-width 800
   "$program" table build -o hexatlas.hxt --start-from hexatlas-classes.hxt leapt.hxt "${last[@]/20261126/20261201}"
 fi
 "$program" table info --by quads --json | python3 -c '
