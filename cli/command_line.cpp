@@ -316,11 +316,11 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
          "Meshes that annealing of one of these begins with: the one known, and others by collars, "
          "with a symmetry or without, of as many dual classes as there are");
   effort("--anneal-rounds", search.anneal_rounds, 1, 10'000'000,
-         "Rounds of annealing of each mesh; each takes about 0.05 seconds of one processor");
+         "Rounds of annealing of each mesh; each takes about 0.012 seconds of one processor");
   effort(
       "--anneal-leaps", search.anneal_leaps, 0, 10'000'000,
-      "Meshes of other dual classes made from the least ones known of the same boundary, each of "
-      "which is annealed as long");
+      "Meshes made from the least ones known of the same boundary by an exchange of a large part, "
+      "each of which is annealed as long");
   effort("--memory", options->memory_gib, 1, 4096,
          "GiB that the balls may take, about, and once more what is grown inwards to meet them");
   add_seed(*build, search.balls.seed);

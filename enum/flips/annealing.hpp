@@ -3,12 +3,13 @@
 /// Small meshes of a boundary by annealing in each dual class.
 ///
 /// Method. A walk (walk.hpp) in which a further hexahedron and a further fault each cost a factor
-/// of the probability. Several walks at once, from cold ones, for which both cost much, to hot
-/// ones, trade places. However hot, a walk hardly ever leaves the dual class of the mesh that it
-/// began with (enum/complex/dual_class.hpp), and within a few rounds it has found what this class
-/// has. So each class gets short walks of its own, and a *leap* makes a mesh of one class from that
-/// of another: a large ball of it is exchanged for one with the other parity. Leaps begin with the
-/// least meshes known of classes drawn at random, other than those that are much larger.
+/// of the probability. A cold walk, for which both cost much, and a hotter one trade places.
+/// However hot, a walk hardly ever leaves the dual class of the mesh that it began with
+/// (enum/complex/dual_class.hpp), and within a few rounds it has found what there is to find around
+/// this mesh. So walks are short and many, and all but the first begin with a *leap*: a large ball
+/// of the mesh is exchanged for another one, every second time for one with the other parity. Leaps
+/// begin with the least meshes known of classes drawn at random, other than those that are much
+/// larger.
 ///
 /// Sources. Annealing: Kirkpatrick, Gelatt, Vecchi (Science 220, 1983); walks that trade places:
 /// Swendsen, Wang (Phys. Rev. Lett. 57, 1986); large steps, each followed by a search: Martin,
@@ -23,9 +24,9 @@
 namespace hexatlas::flips {
 
 struct AnnealingOptions {
-  /// After a beginning or a leap: each is 500 steps of 8 walks, after which neighbours may trade.
-  int rounds = 6;
-  int leaps = 40;  ///< from one dual class to another
+  /// After a beginning or a leap: each is 500 steps of two walks, which then may trade places.
+  int rounds = 8;
+  int leaps = 120;  ///< to other meshes, half of them to other dual classes
   std::uint64_t seed = 1;
   int threads = 1;  ///< does not change the result
 };
@@ -34,7 +35,7 @@ struct AnnealingOptions {
 /// Vertices 0 .. quads+1 are those of the boundary and stay. Requires that each of `starts`, at
 /// least one, is a ball under the strict rule, right-handed, with this boundary, and that `balls`
 /// grew from the single hexahedron. Deterministic.
-/// Not promised: that the mesh has a shelling. Cost: about 0.05 s per round of each beginning and
+/// Not promised: that the mesh has a shelling. Cost: about 0.012 s per round of each beginning and
 /// leap.
 [[nodiscard]] complex::HexComplex least_by_annealing(const std::vector<complex::HexComplex>& starts,
                                                      int quads, const Beam& balls,

@@ -72,10 +72,10 @@ struct Draw {
 /// One of the balls that fit in place of the sub-ball, in all positions, drawn by their weights;
 /// nullopt for the sub-ball itself, which has weight 1. Mostly nullopt, too, for a ball with as
 /// many hexahedra and the same scars: nearly always it is the sub-ball again, and most draws are
-/// such. If the parity must change, only balls with that are drawn, and not the sub-ball. `sums`
-/// is made use of.
+/// such. In a leap, only balls of its kind are drawn. `sums` is made use of.
 std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Climate& climate,
-                         bool change_parity, Random& random, std::vector<double>& sums) {
+                         std::optional<Walk::Leap> leap, Random& random,
+                         std::vector<double>& sums) {
   const Front& front = ball.front();
   canon::CanonicalFlags flags;
   canon::canonical_flags(front.boundary, flags);
@@ -89,14 +89,23 @@ std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Climate& 
   };
   const int own = own_scars(positions[0]).size_in_common(positions[0].scars);
   const auto& known = balls.store().family(*number).fronts;
-  const double to_stay = change_parity ? 0 : 1;
+  const auto is_same = [&](const StoredFront& other, const Position& position) {
+    return other.level + 1 == size && other.scars == own_scars(position);
+  };
+  const auto is_allowed = [&](const StoredFront& other, const Position& position) {
+    if (other.level + 1 > size + kClimb) return false;
+    if (!leap) return true;
+    return *leap == Walk::Leap::any_other ? !is_same(other, position)
+                                          : (other.level + 1 - size) % 2 != 0;
+  };
+  const double to_stay = leap ? 0 : 1;
   double total = to_stay;
   sums.clear();
   for (const Position& position : positions)
     for (const StoredFront& other : known) {
-      const int more = other.level + 1 - size;
-      if (more <= kClimb && !(change_parity && more % 2 == 0))
-        total += climate.factor(more, other.scars.size_in_common(position.scars) - own);
+      if (is_allowed(other, position))
+        total += climate.factor(other.level + 1 - size,
+                                other.scars.size_in_common(position.scars) - own);
       sums.push_back(total);
     }
   if (total == 0) return std::nullopt;
@@ -107,8 +116,7 @@ std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Climate& 
   const Position& position = positions[drawn / known.size()];
   const std::size_t place = drawn % known.size();
   const StoredFront& ball_drawn = known[place];
-  const bool is_same = ball_drawn.level + 1 == size && ball_drawn.scars == own_scars(position);
-  if (is_same && random.below(kSameState) != 0) return std::nullopt;
+  if (is_same(ball_drawn, position) && random.below(kSameState) != 0) return std::nullopt;
   return Draw{{{*number, static_cast<std::uint32_t>(place)}, position.label, position.is_mirrored},
               ball_drawn.scars.size_in_common(position.scars) - own};
 }
@@ -138,9 +146,9 @@ bool Walk::grow_to(std::size_t size, int weight) {
   return true;
 }
 
-bool Walk::exchange(const Climate& climate, BallLayers& layers, Choice choice) {
+bool Walk::exchange(const Climate& climate, BallLayers& layers, std::optional<Leap> leap) {
   if (ball_.quads() > balls_.options().max_quads) return false;
-  const auto drawn = draw(ball_, balls_, climate, choice == Choice::other_parity, random_, sums_);
+  const auto drawn = draw(ball_, balls_, climate, leap, random_, sums_);
   if (!drawn) return false;
   HexComplex made = complex::compacted(
       exchanged(mesh_, ball_, layers.of(drawn->fit.ball), drawn->fit), quads_ + 2);
@@ -156,10 +164,10 @@ bool Walk::step(const Climate& climate, BallLayers& layers) {
   ball_.restart(static_cast<std::uint32_t>(random_.below(mesh_.hexahedra.size())));
   const std::size_t size = kSmallestBall + random_.below(kLargestBall - kSmallestBall + 1);
   const int weight = static_cast<int>(random_.below(5));
-  return grow_to(size, weight) && exchange(climate, layers, Choice::any);
+  return grow_to(size, weight) && exchange(climate, layers, std::nullopt);
 }
 
-bool Walk::leap(const Climate& climate, BallLayers& layers, int tries) {
+bool Walk::leap(const Climate& climate, BallLayers& layers, int tries, Leap kind) {
   const std::size_t all = mesh_.hexahedra.size();
   const std::size_t least = (all + 1) / 2;  // smaller balls have hardly any of the other parity
   for (int i = 0; i < tries && least < all; ++i) {
@@ -167,7 +175,7 @@ bool Walk::leap(const Climate& climate, BallLayers& layers, int tries) {
     const std::size_t size = least + random_.below(all - least);
     const int weight = 1 + static_cast<int>(random_.below(8));
     (void)grow_to(size, weight);  // whatever size it came to
-    if (exchange(climate, layers, Choice::other_parity)) return true;
+    if (exchange(climate, layers, kind)) return true;
   }
   return false;
 }

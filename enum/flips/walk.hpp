@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "enum/complex/hex_complex.hpp"
@@ -84,25 +85,24 @@ class Walk {
   /// Cost: some ten microseconds. `layers`: of the same balls; the result does not depend on which
   /// of them it has at hand.
   bool step(const Climate& climate, BallLayers& layers);
-  /// Exchanges a large ball, grown somewhere, for one with an even number of hexahedra instead of
-  /// an odd one, or the other way round: of those that the climate weighs as above. So the walk
-  /// leaves its dual class (enum/complex/dual_class.hpp), which a step hardly ever does. Returns
-  /// whether one was found in so many tries. Cost: some ten microseconds per try.
-  bool leap(const Climate& climate, BallLayers& layers, int tries);
+  /// What a leap exchanges a ball for: one that a step may put in, too, but not the ball itself.
+  enum class Leap : std::uint8_t {
+    any_other,    ///< with another number of hexahedra or other scars
+    other_parity  ///< with a number of hexahedra of the other parity
+  };
+  /// Exchanges a large ball, grown somewhere, for one of those that the climate weighs as above. So
+  /// the walk may leave its dual class (enum/complex/dual_class.hpp), which a step hardly ever does
+  /// and a change of parity always. Returns whether one was found in so many tries. Cost: some ten
+  /// microseconds per try.
+  bool leap(const Climate& climate, BallLayers& layers, int tries, Leap kind);
 
   [[nodiscard]] const complex::HexComplex& mesh() const noexcept { return mesh_; }
   /// A ball with as many faults; with none it obeys the strict rule.
   [[nodiscard]] int faults() const noexcept { return faults_; }
 
  private:
-  /// Which balls an exchange may put in.
-  enum class Choice : std::uint8_t {
-    any,
-    other_parity  ///< of the number of hexahedra
-  };
-
   bool grow_to(std::size_t size, int weight);
-  bool exchange(const Climate& climate, BallLayers& layers, Choice choice);
+  bool exchange(const Climate& climate, BallLayers& layers, std::optional<Leap> leap);
 
   complex::HexComplex mesh_;
   int quads_;

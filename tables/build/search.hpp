@@ -63,8 +63,8 @@ struct SearchOptions {
   std::size_t collared = 100;      ///< boundaries per round
   std::size_t annealed = 0;        ///< boundaries per round
   std::size_t anneal_starts = 16;  ///< meshes that annealing of one boundary begins with
-  int anneal_rounds = 6;           ///< of annealing, per beginning and leap
-  int anneal_leaps = 40;           ///< from one dual class to another (enum/flips/annealing.hpp)
+  int anneal_rounds = 8;           ///< of annealing, per beginning and leap
+  int anneal_leaps = 120;          ///< to other meshes (enum/flips/annealing.hpp)
 };
 
 /// How the mesh of a boundary was found, as a word of the census; and the other way round, for

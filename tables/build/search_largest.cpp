@@ -30,7 +30,7 @@ std::size_t per_step(const flips::BeamOptions& collars) {
 
 /// The same for annealing: about two minutes of two processors at most, or one boundary.
 std::size_t annealed_per_step(const SearchOptions& options) {
-  constexpr std::size_t kRounds = 5'000;
+  constexpr std::size_t kRounds = 20'000;
   const std::size_t rounds =
       (options.anneal_starts + static_cast<std::size_t>(options.anneal_leaps)) *
       static_cast<std::size_t>(options.anneal_rounds);
