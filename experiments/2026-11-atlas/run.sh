@@ -50,19 +50,20 @@ if [[ "${1:-}" == --search ]]; then
   "$program" table build -o hexatlas-end.hxt --state end.state --start-from long.state hexatlas-long.hxt \
     "${more[@]}" --cut 3 --cuts-each 8 --cut-growths 20000 --cut-interior 6 --cut-uphill 8 --max-hexahedra 54 \
     --growths 4 --collared 0
-  # A sweep whose targets have 22 quads, too, then annealing.
+  # A sweep whose targets have 22 quads, too, then annealing. Its rounds were of eight walks once; of two, as today, they are four
+  # times as many.
   none=(--cut 0 --symmetric 0 --collared 0 --growths 0 --rounds 1)
   again=(--width 900000 --per-class 200 --seed 20261124 "${none[@]}")
   "$program" table build -o swept-22.hxt --state swept-22.state --max-quads 22 --start-from hexatlas-end.hxt "${again[@]}" \
     --max-hexahedra 58
   "$program" table build -o annealed.hxt --state annealed.state --start-from swept-22.state "${again[@]}" --max-hexahedra 1 \
-    --annealed 40 --anneal-rounds 60
-  "$program" table build -o annealed-long.hxt --start-from annealed.state "${again[@]}" --max-hexahedra 1 --annealed 3 --anneal-rounds 4500
+    --annealed 40 --anneal-rounds 240
+  "$program" table build -o annealed-long.hxt --start-from annealed.state "${again[@]}" --max-hexahedra 1 --annealed 3 --anneal-rounds 18000
   "$program" table build -o hexatlas-annealed.hxt --start-from annealed-long.hxt hexatlas-end.hxt --width 1 --per-class 1 "${none[@]}" \
     --max-hexahedra 1
   # Another sweep; then annealing that begins with many meshes: for the two largest, then with more for the largest.
   fresh=(--width 900000 --per-class 200 --seed 20261125 --growths 0 --cut 0 --symmetric 0 --collared 0 --rounds 1)
-  thick=(--collar-hexahedra 30 --collar-widest 30 --collar-narrow 3 --symmetric-hexahedra 58 --anneal-rounds 60)
+  thick=(--collar-hexahedra 30 --collar-widest 30 --collar-narrow 3 --symmetric-hexahedra 58 --anneal-rounds 240)
   "$program" table build -o fresh.hxt --state fresh.state --start-from hexatlas-annealed.hxt "${fresh[@]}" --max-hexahedra 58
   "$program" table build -o two.hxt --state two.state --start-from fresh.state fresh.hxt "${fresh[@]}" "${thick[@]}" \
     --max-hexahedra 1 --annealed 2 --anneal-starts 60 --symmetric-width 6000 --symmetric-widest 40 --collar-width 3000
@@ -111,7 +112,7 @@ if [[ "${1:-}" == --search ]]; then
     --max-hexahedra 1 --cut 1200 --cuts-each 1 --cut-growths 1000 --cut-interior 2 --cut-uphill 6 --symmetric 1 \
     --symmetric-hexahedra 56 --symmetric-width 30000 --symmetric-widest 40 --collared 0
   "$program" table build -o annealed-22.hxt --start-from largest-22.state "${broad[@]}" "${plain[@]}" --max-hexahedra 1 --cut 0 \
-    --collared 0 --annealed 20 --anneal-starts 4 --anneal-rounds 40 --collar-hexahedra 14 --collar-width 1500 \
+    --collared 0 --annealed 20 --anneal-starts 4 --anneal-rounds 160 --collar-hexahedra 14 --collar-width 1500 \
     --collar-widest 28 --collar-narrow 3 --symmetric-hexahedra 50 --symmetric-width 1000 --symmetric-widest 38
   "$program" table build -o again-22.hxt --state again-22.state --start-from annealed-22.hxt hexatlas-begun.hxt "${broad[@]}" "${plain[@]}" \
     --max-hexahedra 64 --cut 0 --collared 0
@@ -121,7 +122,7 @@ if [[ "${1:-}" == --search ]]; then
   # A wider sweep and annealing of many, in a contest that went on with the promising meshes; each was stopped, after 8 and after 33
   # minutes, and the table made of what it had saved; the second one went on then for 100 minutes.
   beginnings=(--collar-widest 28 --collar-narrow 3 --symmetric-hexahedra 50 --symmetric-widest 38)
-  many=(--anneal-rounds 40 --anneal-leaps 0 "${beginnings[@]}")
+  many=(--anneal-rounds 160 --anneal-leaps 0 "${beginnings[@]}")
   quiet=(--rounds 1 --growths 0 --cut 0 --collared 0 "${plain[@]}")
   "$program" table build -o contest.hxt --start-from again-22.state hexatlas-now.hxt --width 900000 --per-class 200 --seed 20261126 \
     --max-hexahedra 1 "${quiet[@]}" "${many[@]}" --annealed 142 --anneal-starts 8 --collar-hexahedra 24 --collar-width 1500 --symmetric-width 1000
@@ -141,12 +142,19 @@ if [[ "${1:-}" == --search ]]; then
   "$program" table build -o all.hxt --state classes.state --start-from swept.state swept.hxt "${wider[@]/20261127/20261128}" \
     --max-hexahedra 1 "${many[@]}" --annealed 700 --anneal-starts 8 --collar-hexahedra 22 --collar-width 1000 --symmetric-width 800
   "$program" table build -o hexatlas-classes.hxt --start-from hexatlas-broad.hxt all.hxt "${last[@]/20261126/20261128}"
-  # Another sweep, then leaps, which the shipped table has for a part of these boundaries, by a trial program.
+  # Another sweep, then leaps, for a part of these boundaries by a trial program.
   "$program" table build -o swept.hxt --state swept-again.state --start-from hexatlas-classes.hxt hexatlas-22.hxt \
     "${wider[@]/20261127/20261201}" --memory 14 --max-hexahedra 56
+  leaps=(--max-hexahedra 1 "${beginnings[@]}" --collar-hexahedra 22 --collar-width 1000 --symmetric-width 800)
   "$program" table build -o leapt.hxt --state leapt.state --start-from swept-again.state swept.hxt "${wider[@]/20261127/20261201}" \
-    --max-hexahedra 1 --annealed 520 --anneal-rounds 5 "${beginnings[@]}" --collar-hexahedra 22 --collar-width 1000 --symmetric-width 800
-  "$program" table build -o hexatlas.hxt --start-from hexatlas-classes.hxt leapt.hxt "${last[@]/20261126/20261201}"
+    "${leaps[@]}" --annealed 520
+  "$program" table build -o hexatlas-leapt.hxt --start-from hexatlas-classes.hxt leapt.hxt "${last[@]/20261126/20261201}"
+  # The same again, with shorter walks; those of 52 and more by a trial program, those of 51 by one that passed over the others.
+  "$program" table build -o swept.hxt --state swept-more.state --start-from hexatlas-leapt.hxt hexatlas-22.hxt \
+    "${wider[@]/20261127/20261202}" --memory 14 --max-hexahedra 56
+  "$program" table build -o leapt.hxt --state leapt-more.state --start-from swept-more.state swept.hxt "${wider[@]/20261127/20261202}" \
+    "${leaps[@]}" --annealed 500
+  "$program" table build -o hexatlas.hxt --start-from hexatlas-leapt.hxt leapt.hxt "${last[@]/20261126/20261202}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
