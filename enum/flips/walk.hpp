@@ -70,6 +70,12 @@ class Climate {
 /// boundary and stay.
 class Walk {
  public:
+  /// What a leap exchanges a ball for: one that a step may put in, too, but not the ball itself.
+  enum class Leap : std::uint8_t {
+    any_other,    ///< with another number of hexahedra or other scars
+    other_parity  ///< with a number of hexahedra of the other parity
+  };
+
   /// Requires a ball glued of right-handed hexahedra, with such a boundary and so many faults, and
   /// that `balls`, which must outlive this, grew from the single hexahedron.
   Walk(complex::HexComplex mesh, int quads, const Beam& balls, std::uint64_t seed, int faults = 0);
@@ -85,11 +91,6 @@ class Walk {
   /// Cost: some ten microseconds. `layers`: of the same balls; the result does not depend on which
   /// of them it has at hand.
   bool step(const Climate& climate, BallLayers& layers);
-  /// What a leap exchanges a ball for: one that a step may put in, too, but not the ball itself.
-  enum class Leap : std::uint8_t {
-    any_other,    ///< with another number of hexahedra or other scars
-    other_parity  ///< with a number of hexahedra of the other parity
-  };
   /// Exchanges a large ball, grown somewhere, for one of those that the climate weighs as above. So
   /// the walk may leave its dual class (enum/complex/dual_class.hpp), which a step hardly ever does
   /// and a change of parity always. Returns whether one was found in so many tries. Cost: some ten
