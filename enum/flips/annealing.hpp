@@ -7,7 +7,7 @@
 /// However hot, a walk hardly ever leaves the dual class of the mesh that it began with
 /// (enum/complex/dual_class.hpp), and within a few rounds it has found what there is to find around
 /// this mesh. So walks are short and many, and all but the first begin with a *leap*: a large ball
-/// of the mesh is exchanged for another one, every second time for one with the other parity. Leaps
+/// of the mesh is exchanged for another one, half of the time for one with the other parity. Leaps
 /// begin with the least meshes known of classes drawn at random, other than those that are much
 /// larger.
 ///
