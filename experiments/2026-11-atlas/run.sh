@@ -154,7 +154,13 @@ if [[ "${1:-}" == --search ]]; then
     "${wider[@]/20261127/20261202}" --memory 14 --max-hexahedra 56
   "$program" table build -o leapt.hxt --state leapt-more.state --start-from swept-more.state swept.hxt "${wider[@]/20261127/20261202}" \
     "${leaps[@]}" --annealed 500
-  "$program" table build -o hexatlas.hxt --start-from hexatlas-leapt.hxt leapt.hxt "${last[@]/20261126/20261202}"
+  "$program" table build -o hexatlas-more.hxt --start-from hexatlas-leapt.hxt leapt.hxt "${last[@]/20261126/20261202}"
+  # And once more, by a trial program that leapt for so many seconds instead of so many times.
+  "$program" table build -o swept.hxt --state swept-once-more.state --start-from hexatlas-more.hxt hexatlas-22.hxt \
+    "${wider[@]/20261127/20261203}" --memory 14 --max-hexahedra 56
+  "$program" table build -o leapt.hxt --state leapt-once-more.state --start-from swept-once-more.state swept.hxt "${wider[@]/20261127/20261203}" \
+    --max-hexahedra 1 "${beginnings[@]}" --collar-hexahedra 22 --collar-width 500 --symmetric-width 300 --annealed 430
+  "$program" table build -o hexatlas.hxt --start-from hexatlas-more.hxt leapt.hxt "${last[@]/20261126/20261203}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
