@@ -142,25 +142,18 @@ if [[ "${1:-}" == --search ]]; then
   "$program" table build -o all.hxt --state classes.state --start-from swept.state swept.hxt "${wider[@]/20261127/20261128}" \
     --max-hexahedra 1 "${many[@]}" --annealed 700 --anneal-starts 8 --collar-hexahedra 22 --collar-width 1000 --symmetric-width 800
   "$program" table build -o hexatlas-classes.hxt --start-from hexatlas-broad.hxt all.hxt "${last[@]/20261126/20261128}"
-  # Another sweep, then leaps, for a part of these boundaries by a trial program.
-  "$program" table build -o swept.hxt --state swept-again.state --start-from hexatlas-classes.hxt hexatlas-22.hxt \
-    "${wider[@]/20261127/20261201}" --memory 14 --max-hexahedra 56
-  leaps=(--max-hexahedra 1 "${beginnings[@]}" --collar-hexahedra 22 --collar-width 1000 --symmetric-width 800)
-  "$program" table build -o leapt.hxt --state leapt.state --start-from swept-again.state swept.hxt "${wider[@]/20261127/20261201}" \
-    "${leaps[@]}" --annealed 520
-  "$program" table build -o hexatlas-leapt.hxt --start-from hexatlas-classes.hxt leapt.hxt "${last[@]/20261126/20261201}"
-  # The same again, with shorter walks; those of 52 and more by a trial program, those of 51 by one that passed over the others.
-  "$program" table build -o swept.hxt --state swept-more.state --start-from hexatlas-leapt.hxt hexatlas-22.hxt \
-    "${wider[@]/20261127/20261202}" --memory 14 --max-hexahedra 56
-  "$program" table build -o leapt.hxt --state leapt-more.state --start-from swept-more.state swept.hxt "${wider[@]/20261127/20261202}" \
-    "${leaps[@]}" --annealed 500
-  "$program" table build -o hexatlas-more.hxt --start-from hexatlas-leapt.hxt leapt.hxt "${last[@]/20261126/20261202}"
-  # And once more, by a trial program that leapt for so many seconds instead of so many times.
-  "$program" table build -o swept.hxt --state swept-once-more.state --start-from hexatlas-more.hxt hexatlas-22.hxt \
-    "${wider[@]/20261127/20261203}" --memory 14 --max-hexahedra 56
-  "$program" table build -o leapt.hxt --state leapt-once-more.state --start-from swept-once-more.state swept.hxt "${wider[@]/20261127/20261203}" \
-    --max-hexahedra 1 "${beginnings[@]}" --collar-hexahedra 22 --collar-width 500 --symmetric-width 300 --annealed 430
-  "$program" table build -o hexatlas.hxt --start-from hexatlas-more.hxt leapt.hxt "${last[@]/20261126/20261203}"
+  # Three times another sweep, then leaps: for a part of these boundaries by a trial program; with shorter walks, those of 52 and more by a
+  # trial program, those of 51 by one that passed over the others; by one that leapt for so many seconds instead of so many times.
+  leap_from() { # TABLE SEED BOUNDARIES COLLAR-WIDTH SYMMETRIC-WIDTH RESULT
+    local swept="swept-$2.state" options=("${wider[@]/20261127/$2}")
+    "$program" table build -o swept.hxt --state "$swept" --start-from "$1" hexatlas-22.hxt "${options[@]}" --memory 14 --max-hexahedra 56
+    "$program" table build -o leapt.hxt --state "leapt-$2.state" --start-from "$swept" swept.hxt "${options[@]}" --max-hexahedra 1 \
+      "${beginnings[@]}" --annealed "$3" --collar-hexahedra 22 --collar-width "$4" --symmetric-width "$5"
+    "$program" table build -o "$6" --start-from "$1" leapt.hxt "${last[@]/20261126/$2}"
+  }
+  leap_from hexatlas-classes.hxt 20261201 520 1000 800 hexatlas-leapt.hxt
+  leap_from hexatlas-leapt.hxt 20261202 500 1000 800 hexatlas-more.hxt
+  leap_from hexatlas-more.hxt 20261203 430 500 300 hexatlas.hxt
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
