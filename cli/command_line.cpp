@@ -315,6 +315,9 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
   effort("--anneal-starts", search.anneal_starts, std::size_t{1}, std::size_t{1'000},
          "Meshes that annealing of one of these begins with: the one known, and others by collars, "
          "with a symmetry or without, of as many dual classes as there are");
+  effort("--anneal-faulty", search.anneal_faulty, std::size_t{0}, std::size_t{100'000},
+         "Further meshes that it begins with: balls in collars that do not quite fit, so that the "
+         "mesh breaks the strict rule in a few places");
   effort("--anneal-rounds", search.anneal_rounds, 1, 10'000'000,
          "Rounds of annealing of each mesh; each takes about 0.012 seconds of one processor");
   effort(

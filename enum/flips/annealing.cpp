@@ -116,18 +116,19 @@ class LeastOfClasses {
 
 }  // namespace
 
-HexComplex least_by_annealing(const std::vector<HexComplex>& starts, int quads, const Beam& balls,
+HexComplex least_by_annealing(const Beginnings& begin, int quads, const Beam& balls,
                               const AnnealingOptions& options) {
-  core::expects(!starts.empty(), "annealing begins with a mesh");
+  core::expects(!begin.strict.empty(), "annealing begins with a mesh");
   Random random(options.seed);
   std::vector<BallLayers> layers(kClimates.size(), BallLayers(balls));
-  LeastOfClasses least(starts.front(), quads);
+  LeastOfClasses least(begin.strict.front(), quads);
   const auto anneal = [&](const HexComplex& mesh, int faults) {
     if (Mesh found =
             tempered(mesh, faults, quads, balls, options.rounds, options.threads, random, layers))
       least.put(*std::move(found));
   };
-  for (const HexComplex& mesh : starts) anneal(mesh, 0);
+  for (const HexComplex& mesh : begin.strict) anneal(mesh, 0);
+  for (const FaultyMesh& own : begin.faulty) anneal(own.mesh, own.faults);
   for (int i = 0; i < options.leaps; ++i) {
     Walk walk(least.some(random), quads, balls, random.number());
     const auto kind = random.below(2) == 0 ? Walk::Leap::any_other : Walk::Leap::other_parity;

@@ -6,7 +6,8 @@
 /// of the probability. A cold walk, for which both cost much, and a hotter one trade places.
 /// However hot, a walk hardly ever leaves the dual class of the mesh that it began with
 /// (enum/complex/dual_class.hpp), and within a few rounds it has found what there is to find around
-/// this mesh. So walks are short and many, and all but the first begin with a *leap*: a large ball
+/// this mesh. So walks are short and many. They begin with meshes of many kinds, those with a few
+/// faults among them, and then with *leaps*: a large ball
 /// of the mesh is exchanged for another one, half of the time for one with the other parity. Leaps
 /// begin with the least meshes known of classes drawn at random, other than those that are much
 /// larger.
@@ -20,6 +21,7 @@
 
 #include "enum/complex/hex_complex.hpp"
 #include "enum/flips/beam.hpp"
+#include "enum/flips/walk.hpp"
 
 namespace hexatlas::flips {
 
@@ -31,14 +33,20 @@ struct AnnealingOptions {
   int threads = 1;  ///< does not change the result
 };
 
-/// The least mesh under the strict rule that was seen, one of `starts` if there was no smaller one.
-/// Vertices 0 .. quads+1 are those of the boundary and stay. Requires that each of `starts`, at
-/// least one, is a ball under the strict rule, right-handed, with this boundary, and that `balls`
-/// grew from the single hexahedron. Deterministic.
+/// What annealing begins with: right-handed meshes of one boundary, whose vertices are 0 ..
+/// quads+1.
+struct Beginnings {
+  std::vector<complex::HexComplex> strict;  ///< balls under the strict rule
+  std::vector<FaultyMesh> faulty;           ///< for instance from faulty_meeting.hpp
+};
+
+/// The least mesh under the strict rule that was seen, one of begin.strict if there was no smaller
+/// one. The vertices of the boundary stay. Requires at least one strict mesh, and that `balls` grew
+/// from the single hexahedron. Deterministic.
 /// Not promised: that the mesh has a shelling. Cost: about 0.012 s per round of each beginning and
 /// leap.
-[[nodiscard]] complex::HexComplex least_by_annealing(const std::vector<complex::HexComplex>& starts,
-                                                     int quads, const Beam& balls,
+[[nodiscard]] complex::HexComplex least_by_annealing(const Beginnings& begin, int quads,
+                                                     const Beam& balls,
                                                      const AnnealingOptions& options);
 
 }  // namespace hexatlas::flips

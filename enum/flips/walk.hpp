@@ -25,6 +25,14 @@
 
 namespace hexatlas::flips {
 
+/// A ball glued of hexahedra, right-handed if the canonical list of the quads of its boundary is
+/// counter-clockwise from outside, and its number of faults: with none it obeys the strict rule.
+/// Vertices 0 .. quads+1 are those of the boundary, in canonical labels.
+struct FaultyMesh {
+  complex::HexComplex mesh;
+  int faults = 0;
+};
+
 /// The layers of balls that were asked for lately. For one thread.
 class BallLayers {
  public:

@@ -11,10 +11,11 @@
 /// involution, and *collars*: hexahedra are taken off inwards until a known ball fits
 /// (enum/flips/meeting.hpp). *Annealing*: exchange that may break the strict rule for a while
 /// (enum/flips/annealing.hpp), begun with the known mesh and with others of the same boundary from
-/// collars of all kinds, in each dual class (enum/complex/dual_class.hpp) that these have or leaps
-/// come to. What is found goes back into the beam, with all balls on the way, and the next sweep
-/// goes on from there: so a mesh one flip away from a smaller one becomes smaller, too. A mesh
-/// without a shelling that the beam could hold is kept beside it.
+/// collars of all kinds, those that do not quite fit among them (enum/flips/faulty_meeting.hpp), in
+/// each dual class (enum/complex/dual_class.hpp) that these have or leaps come to. What is found
+/// goes back into the beam, with all balls on the way, and the next sweep goes on from there: so a
+/// mesh one flip away from a smaller one becomes smaller, too. A mesh without a shelling that the
+/// beam could hold is kept beside it.
 ///
 /// The search proceeds in steps of seconds to a few minutes. Between two steps it can be saved.
 
@@ -31,6 +32,7 @@
 #include "enum/flips/beam.hpp"
 #include "enum/flips/meeting.hpp"
 #include "enum/flips/replacement.hpp"
+#include "enum/flips/walk.hpp"
 #include "tables/format/table.hpp"
 
 namespace hexatlas::build {
@@ -59,12 +61,13 @@ struct SearchOptions {
   /// degree have no short way back to fewer.
   flips::BeamOptions collars{
       .max_quads = flips::kMaxSearchQuads, .fronts_per_class = 20, .fronts_per_level = 3'000};
-  int max_collar = 12;             ///< hexahedra
-  std::size_t collared = 100;      ///< boundaries per round
-  std::size_t annealed = 0;        ///< boundaries per round
-  std::size_t anneal_starts = 16;  ///< meshes that annealing of one boundary begins with
-  int anneal_rounds = 8;           ///< of annealing, per beginning and leap
-  int anneal_leaps = 120;          ///< to other meshes (enum/flips/annealing.hpp)
+  int max_collar = 12;              ///< hexahedra
+  std::size_t collared = 100;       ///< boundaries per round
+  std::size_t annealed = 0;         ///< boundaries per round
+  std::size_t anneal_starts = 16;   ///< meshes that annealing of one boundary begins with
+  std::size_t anneal_faulty = 100;  ///< others with faults (enum/flips/faulty_meeting.hpp)
+  int anneal_rounds = 8;            ///< of annealing, per beginning and leap
+  int anneal_leaps = 120;           ///< to other meshes (enum/flips/annealing.hpp)
 };
 
 /// How the mesh of a boundary was found, as a word of the census; and the other way round, for
@@ -162,6 +165,8 @@ class TableSearch {
                                                             int threads) const;
   [[nodiscard]] std::vector<complex::HexComplex> beginnings(const canon::Code& code,
                                                             int threads) const;
+  [[nodiscard]] std::vector<flips::FaultyMesh> faulty_beginnings(const canon::Code& code, int size,
+                                                                 int threads) const;
   [[nodiscard]] std::vector<const canon::Code*> next_largest(std::size_t count);
   void begin(Phase phase, std::size_t largest);
   void next_round();

@@ -66,7 +66,8 @@ std::string TableSearch::settings() const {
         static_cast<std::uint64_t>(options_.max_symmetric), std::uint64_t{options_.symmetrized},
         static_cast<std::uint64_t>(options_.max_collar), std::uint64_t{options_.collared},
         static_cast<std::uint64_t>(options_.anneal_rounds), std::uint64_t{options_.annealed},
-        std::uint64_t{options_.anneal_starts}, static_cast<std::uint64_t>(options_.anneal_leaps)})
+        std::uint64_t{options_.anneal_starts}, std::uint64_t{options_.anneal_faulty},
+        static_cast<std::uint64_t>(options_.anneal_leaps)})
     text += ' ' + std::to_string(number);
   for (const flips::BeamOptions* own : {&options_.symmetric, &options_.collars})
     for (const std::uint64_t number :

@@ -5,6 +5,7 @@
 #include "enum/complex/dual_class.hpp"
 #include "enum/flips/annealing.hpp"
 #include "enum/flips/cut.hpp"
+#include "enum/flips/faulty_meeting.hpp"
 #include "enum/flips/meeting.hpp"
 #include "enum/flips/symmetric_front.hpp"
 #include "tables/build/search.hpp"
@@ -31,9 +32,9 @@ std::size_t per_step(const flips::BeamOptions& collars) {
 /// The same for annealing: about two minutes of two processors at most, or one boundary.
 std::size_t annealed_per_step(const SearchOptions& options) {
   constexpr std::size_t kRounds = 20'000;
-  const std::size_t rounds =
-      (options.anneal_starts + static_cast<std::size_t>(options.anneal_leaps)) *
-      static_cast<std::size_t>(options.anneal_rounds);
+  const std::size_t rounds = (options.anneal_starts + options.anneal_faulty +
+                              static_cast<std::size_t>(options.anneal_leaps)) *
+                             static_cast<std::size_t>(options.anneal_rounds);
   return std::clamp<std::size_t>(kRounds / rounds, 1, kBoundariesPerStep);
 }
 
@@ -173,13 +174,29 @@ std::vector<complex::HexComplex> TableSearch::beginnings(const canon::Code& code
   return result;
 }
 
+/// Meshes of this boundary with a few faults, not much larger than one with so many hexahedra.
+std::vector<flips::FaultyMesh> TableSearch::faulty_beginnings(const canon::Code& code, int size,
+                                                              int threads) const {
+  constexpr int kWorthATry = 9;  // hexahedra, faults at their price
+  const flips::MeetingOptions plain = collars_for(size + kWorthATry, threads);
+  flips::FaultyMeetingOptions options{.collars = plain.collars,
+                                      .max_collar = plain.max_collar,
+                                      .below = plain.below,
+                                      .count = options_.anneal_faulty};
+  options.collars.seed = seed_for(code);  // others in each round
+  return flips::faulty_meetings(balls_, code, options);
+}
+
 void TableSearch::anneal_step() {
   const auto batch = next_largest(annealed_per_step(options_));
   if (batch.empty()) return next_round();
   adopt_all(batch, [&](const canon::Code& code, int threads) -> std::optional<Found> {
-    const std::vector<complex::HexComplex> starts = beginnings(code, threads);
-    if (starts.empty()) return std::nullopt;
-    auto mesh = flips::least_by_annealing(starts, code.quads, balls_,
+    flips::Beginnings begin{beginnings(code, threads), {}};
+    if (begin.strict.empty()) return std::nullopt;
+    if (options_.anneal_faulty > 0)
+      begin.faulty =
+          faulty_beginnings(code, static_cast<int>(begin.strict.front().hexahedra.size()), threads);
+    auto mesh = flips::least_by_annealing(begin, code.quads, balls_,
                                           {.rounds = options_.anneal_rounds,
                                            .leaps = options_.anneal_leaps,
                                            .seed = seed_for(code),

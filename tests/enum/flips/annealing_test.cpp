@@ -1,5 +1,6 @@
 // Claim. Annealing finds meshes with fewer hexahedra, never one larger than those that it begins
-// with, the same for any number of threads; by leaps it finds some that it does not find without.
+// with, the same for any number of threads; by leaps and by
+// beginnings with faults it finds some that it does not find without.
 // Oracle. Meshes checked by sets.
 #include "enum/flips/annealing.hpp"
 
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "enum/complex/dual_class.hpp"
+#include "enum/flips/faulty_meeting.hpp"
 #include "enum/flips/meeting.hpp"
 #include "tests/enum/flips/small_beam.hpp"
 #include "tests/enum/support.hpp"
@@ -25,11 +27,11 @@ TEST(Annealing, FindsFewerHexahedraForAnyNumberOfThreads) {
     if (records.back().level < records.front().level + 6 || code.quads > 16) continue;
     const auto mesh = flips::filling_of(beam, records.back().id).mesh;
     flips::AnnealingOptions options{.rounds = 2, .leaps = 2, .seed = 7, .threads = 1};
-    const auto least = flips::least_by_annealing({mesh}, code.quads, beam, options);
+    const auto least = flips::least_by_annealing({{mesh}, {}}, code.quads, beam, options);
     EXPECT_LT(least.hexahedra.size(), mesh.hexahedra.size()) << canon::to_text(code);
     EXPECT_EQ(support::fault_of_mesh(least, code), "") << canon::to_text(code);
     options.threads = 3;
-    EXPECT_EQ(flips::least_by_annealing({mesh}, code.quads, beam, options).hexahedra,
+    EXPECT_EQ(flips::least_by_annealing({{mesh}, {}}, code.quads, beam, options).hexahedra,
               least.hexahedra);
     if (++reduced == 8) break;
   }
@@ -46,11 +48,11 @@ TEST(Annealing, BeginsWithSeveralMeshes) {
     for (std::size_t i = 5; i-- > 0;)
       starts.push_back(flips::filling_of(beam, records[i * (records.size() - 1) / 4].id).mesh);
     flips::AnnealingOptions options{.rounds = 1, .leaps = 3, .seed = 3, .threads = 1};
-    const auto least = flips::least_by_annealing(starts, code.quads, beam, options);
+    const auto least = flips::least_by_annealing({starts, {}}, code.quads, beam, options);
     for (const auto& mesh : starts) EXPECT_LE(least.hexahedra.size(), mesh.hexahedra.size());
     EXPECT_EQ(support::fault_of_mesh(least, code), "") << canon::to_text(code);
     options.threads = 2;
-    EXPECT_EQ(flips::least_by_annealing(starts, code.quads, beam, options).hexahedra,
+    EXPECT_EQ(flips::least_by_annealing({starts, {}}, code.quads, beam, options).hexahedra,
               least.hexahedra);
     if (++tried == 4) break;
   }
@@ -65,9 +67,9 @@ TEST(Annealing, FindsMeshesOfOtherDualClassesByLeaps) {
     if ((records.back().level - records.front().level) % 2 == 0) continue;
     const auto mesh = flips::filling_of(beam, records.back().id).mesh;
     flips::AnnealingOptions options{.rounds = 1, .leaps = 0, .seed = 5, .threads = 2};
-    const auto without = flips::least_by_annealing({mesh}, code.quads, beam, options);
+    const auto without = flips::least_by_annealing({{mesh}, {}}, code.quads, beam, options);
     options.leaps = 8;
-    const auto least = flips::least_by_annealing({mesh}, code.quads, beam, options);
+    const auto least = flips::least_by_annealing({{mesh}, {}}, code.quads, beam, options);
     ASSERT_LE(least.hexahedra.size(), without.hexahedra.size()) << canon::to_text(code);
     ASSERT_EQ(support::fault_of_mesh(least, code), "") << canon::to_text(code);
     if (least.hexahedra.size() < without.hexahedra.size() &&
@@ -78,11 +80,35 @@ TEST(Annealing, FindsMeshesOfOtherDualClassesByLeaps) {
   EXPECT_EQ(in_other_class, 3U) << "of " << tried;
 }
 
+TEST(Annealing, FindsFewerHexahedraBeginningWithFaults) {
+  const auto beam = grown(20, 30, 2'000, 44);
+  std::size_t tried = 0, smaller = 0;
+  for (const auto& code : beam.codes()) {
+    if (code.quads != 20 || beam.first_level(code).value() < 38) continue;
+    const auto mesh = flips::filling_of(beam, beam.smallest(code).value()).mesh;
+    const flips::AnnealingOptions options{.rounds = 2, .leaps = 0, .seed = 7, .threads = 2};
+    const auto without = flips::least_by_annealing({{mesh}, {}}, code.quads, beam, options);
+    const flips::FaultyMeetingOptions meetings{
+        .collars = {.max_quads = 22, .fronts_per_class = 10, .fronts_per_level = 200},
+        .max_collar = 6,
+        .below = static_cast<int>(without.hexahedra.size()) + 12,
+        .count = 20};
+    const auto faulty = flips::faulty_meetings(beam, code, meetings);
+    if (faulty.size() < 6) continue;
+    const auto least = flips::least_by_annealing({{mesh}, faulty}, code.quads, beam, options);
+    ASSERT_LE(least.hexahedra.size(), without.hexahedra.size()) << canon::to_text(code);
+    ASSERT_EQ(support::fault_of_mesh(least, code), "") << canon::to_text(code);
+    if (least.hexahedra.size() < without.hexahedra.size()) ++smaller;
+    if (++tried == 40 || smaller == 2) break;
+  }
+  EXPECT_EQ(smaller, 2U) << "of " << tried;
+}
+
 TEST(Annealing, KeepsWhatItBeganWithIfItFindsNothing) {
   const auto beam = grown(12, 5, 100, 6);
   const auto code = beam.codes().front();  // the cube
   const auto mesh = flips::filling_of(beam, beam.fronts_of(code).front().id).mesh;
-  EXPECT_EQ(flips::least_by_annealing({mesh}, code.quads, beam, {.rounds = 2}).hexahedra,
+  EXPECT_EQ(flips::least_by_annealing({{mesh}, {}}, code.quads, beam, {.rounds = 2}).hexahedra,
             mesh.hexahedra);
 }
 

@@ -67,6 +67,7 @@ build::SearchOptions small(int threads) {
   options.anneal_rounds = 1;
   options.annealed = 1;
   options.anneal_starts = 2;
+  options.anneal_faulty = 2;
   options.anneal_leaps = 2;
   return options;
 }

@@ -1,0 +1,111 @@
+#include "enum/flips/faulty_meeting.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include "enum/complex/facets.hpp"
+#include "enum/core/checks.hpp"
+#include "enum/core/random.hpp"
+
+namespace hexatlas::flips {
+namespace {
+
+/// A ball in a cavity: its canonical boundary vertex v lies at the cavity's turn[v].
+struct Pairing {
+  FrontId cavity, ball;
+  canon::Labelling turn{};
+  bool is_mirrored = false;  ///< the turn reverses orientation
+};
+
+/// The pairings of each kind: faults and hexahedra.
+using Kinds = std::map<std::pair<int, int>, std::vector<Pairing>>;
+
+canon::Labelling inverse_of(const canon::Labelling& label, int vertices) {
+  canon::Labelling result{};
+  for (int v = 0; v < vertices; ++v)
+    result[label[static_cast<std::size_t>(v)]] = static_cast<complex::Vertex>(v);
+  return result;
+}
+
+/// Adds the pairings with one cavity, which a collar of so many hexahedra leaves.
+void add_pairings(const Beam& balls, const Beam& collars, FrontId cavity,
+                  const FaultyMeetingOptions& options, Kinds& result) {
+  const State state = collars.state(cavity);
+  const int collar = collars.level_of(cavity);
+  const auto number = balls.store().find(state.code);
+  if (!number) return;
+  const FrontStore::Family& family = balls.store().family(*number);
+  if (collar + family.level_floor + 1 >= options.below) return;
+  const auto boundary = canon::decode(state.code).value();
+  canon::CanonicalFlags flags;
+  canon::canonical_flags(boundary, flags);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(flags.count); ++i) {
+    const canon::Labelling turn = canon::labelling_from(boundary, flags.flags[i]);
+    // The scars of the cavity as the ball sees them.
+    const Scars seen = state.scars.renamed(inverse_of(turn, boundary.vertices()));
+    for (std::uint32_t place = 0; place < family.fronts.size(); ++place) {
+      const StoredFront& ball = family.fronts[place];
+      const int hexahedra = collar + ball.level + 1;
+      if (hexahedra >= options.below) continue;
+      const int faults = ball.scars.size_in_common(seen);
+      if (faults > 0 && hexahedra + options.price * faults < options.below)
+        result[{faults, hexahedra}].push_back(
+            {cavity, {*number, place}, turn, flags.flags[i].mirrored});
+    }
+  }
+}
+
+complex::HexComplex mesh_of(const Beam& balls, const Beam& collars, const Pairing& pairing,
+                            int quads) {
+  const Layers collar = layers_along(collars, pairing.cavity, Growth::inward);
+  complex::HexComplex mesh{collar.vertices, collar.hexahedra};
+  std::vector<complex::VertexId> rim(collar.rim.size());
+  for (std::size_t v = 0; v < rim.size(); ++v) rim[v] = collar.rim[pairing.turn[v]];
+  append_ball(mesh, layers_along(balls, pairing.ball, Growth::outward), rim,
+              collar.is_mirrored != pairing.is_mirrored);
+  return complex::compacted(std::move(mesh), quads + 2);
+}
+
+/// Whether each facet is in one or two hexahedra, in one as often as the boundary has quads.
+bool is_glued(const complex::HexComplex& mesh, int quads) {
+  const std::vector<complex::Facet> facets = complex::sorted_facets(mesh);
+  int in_one = 0;
+  for (std::size_t i = 0, next = 0; i < facets.size(); i = next) {
+    while (next < facets.size() && facets[next].key == facets[i].key) ++next;
+    if (next - i > 2) return false;
+    if (next - i == 1) ++in_one;
+  }
+  return in_one == quads;
+}
+
+}  // namespace
+
+std::vector<FaultyMesh> faulty_meetings(const Beam& balls, const canon::Code& target,
+                                        const FaultyMeetingOptions& options) {
+  const auto boundary = canon::decode(target);
+  core::expects(boundary && boundary->is_three_connected(),
+                "only a 3-connected boundary has a filling");
+  Beam collars(State{target, {}}, options.collars);
+  Kinds kinds;
+  for (std::size_t size = 1; size > 0; size = collars.expand_level()) {
+    for (const FrontId cavity : collars.frontier())
+      add_pairings(balls, collars, cavity, options, kinds);
+    if (collars.level() == options.max_collar) break;
+  }
+  core::Random random(options.collars.seed);
+  std::vector<FaultyMesh> result;
+  while (!kinds.empty() && result.size() < options.count) {
+    auto kind = std::next(kinds.begin(), static_cast<std::ptrdiff_t>(random.below(kinds.size())));
+    std::vector<Pairing>& own = kind->second;
+    std::swap(own.back(), own[random.below(own.size())]);
+    auto mesh = mesh_of(balls, collars, own.back(), target.quads);
+    if (is_glued(mesh, target.quads)) result.push_back({std::move(mesh), kind->first.first});
+    own.pop_back();
+    if (own.empty()) kinds.erase(kind);
+  }
+  return result;
+}
+
+}  // namespace hexatlas::flips

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// Meetings of a collar and a ball that do not quite fit: meshes with a few faults, to begin
+/// annealing with.
+///
+/// Definition. As in meeting.hpp, but the ball and the collar may have scars in common. Each of
+/// these is one fault of the mesh (docs/theory/proofs/front.md, section 8). For many a boundary
+/// most of the small balls known fit only so, and few steps of a walk take one fault away.
+///
+/// Faulty meetings are of this project.
+
+#include <cstddef>
+#include <vector>
+
+#include "enum/canon/code.hpp"
+#include "enum/flips/beam.hpp"
+#include "enum/flips/walk.hpp"
+
+namespace hexatlas::flips {
+
+struct FaultyMeetingOptions {
+  BeamOptions collars;      ///< limits of the collars' beam; its seed decides what is drawn, too
+  int max_collar = 8;       ///< hexahedra
+  int price = 2;            ///< hexahedra that a fault counts as
+  int below = 1 << 14;      ///< hexahedra and price together are less than this
+  std::size_t count = 100;  ///< meshes, at most
+};
+
+/// Of all meetings of a collar of `target` with a ball of `balls` that have a fault, some drawn at
+/// random: first the number of faults and that of hexahedra, each with the same probability, since
+/// of some kinds there are thousands alike. No two have the same collar, ball and position.
+/// Meetings in which two facets have the same vertices are left out.
+/// Requires that `target` is the code of a 3-connected quadrangulation and that `balls` grew from
+/// the single hexahedron. Deterministic for given options, for any number of threads. Cost: that of
+/// the collars, and some nanoseconds for each ball known with the boundary of a cavity.
+[[nodiscard]] std::vector<FaultyMesh> faulty_meetings(const Beam& balls, const canon::Code& target,
+                                                      const FaultyMeetingOptions& options);
+
+}  // namespace hexatlas::flips

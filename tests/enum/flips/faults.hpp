@@ -1,0 +1,52 @@
+#pragma once
+/// \file
+/// The faults of a mesh by sets: classes of hexahedra joined through facets, pair by pair.
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "tests/enum/support.hpp"
+
+namespace hexatlas::support {
+
+inline std::set<std::set<std::uint32_t>> facets_of(const oracle::Cell& cell) {
+  std::set<std::set<std::uint32_t>> result;
+  for (const auto& quad : oracle::boundary({cell})) result.emplace(quad.begin(), quad.end());
+  return result;
+}
+
+/// How many classes of the cells with both vertices there are beyond the first.
+inline int faults_of_pair(const std::vector<std::set<std::set<std::uint32_t>>>& facets,
+                          const std::set<std::uint32_t>& pair, std::set<std::size_t> cells) {
+  int classes = 0;
+  for (; !cells.empty(); ++classes) {
+    std::vector<std::size_t> reached{*cells.begin()};
+    cells.erase(cells.begin());
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (const auto& facet : facets[reached[i]]) {
+        if (!std::includes(facet.begin(), facet.end(), pair.begin(), pair.end())) continue;
+        for (std::size_t other = 0; other < facets.size(); ++other)
+          if (facets[other].contains(facet) && cells.erase(other) > 0) reached.push_back(other);
+      }
+  }
+  return classes - 1;
+}
+
+inline int faults_of(const std::vector<oracle::Cell>& cells) {
+  std::vector<std::set<std::set<std::uint32_t>>> facets;
+  std::map<std::set<std::uint32_t>, std::set<std::size_t>> with;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    facets.push_back(facets_of(cells[c]));
+    for (const auto a : cells[c])
+      for (const auto b : cells[c])
+        if (a < b) with[{a, b}].insert(c);
+  }
+  int faults = 0;
+  for (const auto& [pair, own] : with) faults += faults_of_pair(facets, pair, own);
+  return faults;
+}
+
+}  // namespace hexatlas::support
