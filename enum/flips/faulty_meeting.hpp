@@ -21,7 +21,7 @@ namespace hexatlas::flips {
 struct FaultyMeetingOptions {
   BeamOptions collars;      ///< limits of the collars' beam; its seed decides what is drawn, too
   int max_collar = 8;       ///< hexahedra
-  int price = 2;            ///< hexahedra that a fault counts as
+  int price = 1;            ///< hexahedra that a fault counts as
   int below = 1 << 14;      ///< hexahedra and price together are less than this
   std::size_t count = 100;  ///< meshes, at most
 };

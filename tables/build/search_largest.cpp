@@ -177,7 +177,7 @@ std::vector<complex::HexComplex> TableSearch::beginnings(const canon::Code& code
 /// Meshes of this boundary with a few faults, not much larger than one with so many hexahedra.
 std::vector<flips::FaultyMesh> TableSearch::faulty_beginnings(const canon::Code& code, int size,
                                                               int threads) const {
-  constexpr int kWorthATry = 9;  // hexahedra, faults at their price
+  constexpr int kWorthATry = 5;  // hexahedra, faults at their price
   const flips::MeetingOptions plain = collars_for(size + kWorthATry, threads);
   flips::FaultyMeetingOptions options{.collars = plain.collars,
                                       .max_collar = plain.max_collar,
