@@ -1,6 +1,5 @@
 #include "enum/flips/faulty_meeting.hpp"
 
-#include <algorithm>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -12,11 +11,11 @@
 namespace hexatlas::flips {
 namespace {
 
-/// A ball in a cavity: its canonical boundary vertex v lies at the cavity's turn[v].
+/// A ball in a cavity, turned so that its canonical boundary vertex v lies at the cavity's vertex
+/// labelling_from(canonical list of the cavity, turn)[v]. There may be millions.
 struct Pairing {
   FrontId cavity, ball;
-  canon::Labelling turn{};
-  bool is_mirrored = false;  ///< the turn reverses orientation
+  canon::Flag turn;
 };
 
 /// The pairings of each kind: faults and hexahedra.
@@ -29,7 +28,7 @@ canon::Labelling inverse_of(const canon::Labelling& label, int vertices) {
   return result;
 }
 
-/// Adds the pairings with one cavity, which a collar of so many hexahedra leaves.
+/// Adds the pairings with one cavity.
 void add_pairings(const Beam& balls, const Beam& collars, FrontId cavity,
                   const FaultyMeetingOptions& options, Kinds& result) {
   const State state = collars.state(cavity);
@@ -51,8 +50,7 @@ void add_pairings(const Beam& balls, const Beam& collars, FrontId cavity,
       if (hexahedra >= options.below) continue;
       const int faults = ball.scars.size_in_common(seen);
       if (faults > 0 && hexahedra + options.price * faults < options.below)
-        result[{faults, hexahedra}].push_back(
-            {cavity, {*number, place}, turn, flags.flags[i].mirrored});
+        result[{faults, hexahedra}].push_back({cavity, {*number, place}, flags.flags[i]});
     }
   }
 }
@@ -62,9 +60,11 @@ complex::HexComplex mesh_of(const Beam& balls, const Beam& collars, const Pairin
   const Layers collar = layers_along(collars, pairing.cavity, Growth::inward);
   complex::HexComplex mesh{collar.vertices, collar.hexahedra};
   std::vector<complex::VertexId> rim(collar.rim.size());
-  for (std::size_t v = 0; v < rim.size(); ++v) rim[v] = collar.rim[pairing.turn[v]];
+  const auto cavity = canon::decode(collars.state(pairing.cavity).code).value();
+  const canon::Labelling turn = canon::labelling_from(cavity, pairing.turn);
+  for (std::size_t v = 0; v < rim.size(); ++v) rim[v] = collar.rim[turn[v]];
   append_ball(mesh, layers_along(balls, pairing.ball, Growth::outward), rim,
-              collar.is_mirrored != pairing.is_mirrored);
+              collar.is_mirrored != pairing.turn.mirrored);
   return complex::compacted(std::move(mesh), quads + 2);
 }
 
