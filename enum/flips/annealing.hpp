@@ -7,10 +7,9 @@
 /// However hot, a walk hardly ever leaves the dual class of the mesh that it began with
 /// (enum/complex/dual_class.hpp), and within a few rounds it has found what there is to find around
 /// this mesh. So walks are short and many. They begin with meshes of many kinds, those with a few
-/// faults among them, and then with *leaps*: a large ball
-/// of the mesh is exchanged for another one, half of the time for one with the other parity. Leaps
-/// begin with the least meshes known of classes drawn at random, other than those that are much
-/// larger.
+/// faults among them, and then with *leaps*: a large ball of the mesh is exchanged for another one,
+/// half of the time for one with the other parity. Leaps begin with the least meshes known of
+/// classes drawn at random, other than those that are much larger.
 ///
 /// Sources. Annealing: Kirkpatrick, Gelatt, Vecchi (Science 220, 1983); walks that trade places:
 /// Swendsen, Wang (Phys. Rev. Lett. 57, 1986); large steps, each followed by a search: Martin,
