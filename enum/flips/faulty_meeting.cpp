@@ -4,9 +4,10 @@
 #include <map>
 #include <utility>
 
-#include "enum/complex/facets.hpp"
 #include "enum/core/checks.hpp"
 #include "enum/core/random.hpp"
+#include "enum/flips/matching.hpp"
+#include "enum/flips/sub_ball.hpp"
 
 namespace hexatlas::flips {
 namespace {
@@ -57,27 +58,10 @@ void add_pairings(const Beam& balls, const Beam& collars, FrontId cavity,
 
 complex::HexComplex mesh_of(const Beam& balls, const Beam& collars, const Pairing& pairing,
                             int quads) {
-  const Layers collar = layers_along(collars, pairing.cavity, Growth::inward);
-  complex::HexComplex mesh{collar.vertices, collar.hexahedra};
-  std::vector<complex::VertexId> rim(collar.rim.size());
   const auto cavity = canon::decode(collars.state(pairing.cavity).code).value();
-  const canon::Labelling turn = canon::labelling_from(cavity, pairing.turn);
-  for (std::size_t v = 0; v < rim.size(); ++v) rim[v] = collar.rim[turn[v]];
-  append_ball(mesh, layers_along(balls, pairing.ball, Growth::outward), rim,
-              collar.is_mirrored != pairing.turn.mirrored);
-  return complex::compacted(std::move(mesh), quads + 2);
-}
-
-/// Whether each facet is in one or two hexahedra, in one as often as the boundary has quads.
-bool is_glued(const complex::HexComplex& mesh, int quads) {
-  const std::vector<complex::Facet> facets = complex::sorted_facets(mesh);
-  int in_one = 0;
-  for (std::size_t i = 0, next = 0; i < facets.size(); i = next) {
-    while (next < facets.size() && facets[next].key == facets[i].key) ++next;
-    if (next - i > 2) return false;
-    if (next - i == 1) ++in_one;
-  }
-  return in_one == quads;
+  return filled(layers_along(collars, pairing.cavity, Growth::inward),
+                layers_along(balls, pairing.ball, Growth::outward),
+                canon::labelling_from(cavity, pairing.turn), pairing.turn.mirrored, quads);
 }
 
 }  // namespace
@@ -101,7 +85,8 @@ std::vector<FaultyMesh> faulty_meetings(const Beam& balls, const canon::Code& ta
     std::vector<Pairing>& own = kind->second;
     std::swap(own.back(), own[random.below(own.size())]);
     auto mesh = mesh_of(balls, collars, own.back(), target.quads);
-    if (is_glued(mesh, target.quads)) result.push_back({std::move(mesh), kind->first.first});
+    if (SubBall::neighbours_if_complex(mesh, target.quads))
+      result.push_back({std::move(mesh), kind->first.first});
     own.pop_back();
     if (own.empty()) kinds.erase(kind);
   }

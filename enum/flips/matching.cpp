@@ -64,14 +64,19 @@ std::optional<Meeting> Matcher::match_one(const Cavity& cavity, int below) const
   return std::nullopt;
 }
 
-Filling assembled(const BallSource& balls, const Layers& collar, const Meeting& meeting,
-                  int quads) {
+complex::HexComplex filled(const Layers& collar, const Layers& ball, const canon::Labelling& turn,
+                           bool is_mirrored, int quads) {
   complex::HexComplex mesh{collar.vertices, collar.hexahedra};
   std::vector<complex::VertexId> rim(collar.rim.size());
-  for (std::size_t v = 0; v < rim.size(); ++v) rim[v] = collar.rim[meeting.turn[v]];
-  append_ball(mesh, balls.layers_of(meeting.boundary, meeting.ball), rim,
-              collar.is_mirrored != meeting.is_mirrored);
-  return {complex::compacted(std::move(mesh), quads + 2)};
+  for (std::size_t v = 0; v < rim.size(); ++v) rim[v] = collar.rim[turn[v]];
+  append_ball(mesh, ball, rim, collar.is_mirrored != is_mirrored);
+  return complex::compacted(std::move(mesh), quads + 2);
+}
+
+Filling assembled(const BallSource& balls, const Layers& collar, const Meeting& meeting,
+                  int quads) {
+  return {filled(collar, balls.layers_of(meeting.boundary, meeting.ball), meeting.turn,
+                 meeting.is_mirrored, quads)};
 }
 
 }  // namespace hexatlas::flips

@@ -67,6 +67,11 @@ class Matcher {
   std::unordered_map<canon::Code, Fillings> known_;
 };
 
+/// The collar and a ball in its cavity, whose canonical boundary vertex v lies at the cavity's
+/// turn[v], as a mesh of a boundary with so many quads.
+[[nodiscard]] complex::HexComplex filled(const Layers& collar, const Layers& ball,
+                                         const canon::Labelling& turn, bool is_mirrored, int quads);
+
 /// The mesh that a meeting makes of a boundary with so many quads. `collar` leads to its cavity.
 [[nodiscard]] Filling assembled(const BallSource& balls, const Layers& collar,
                                 const Meeting& meeting, int quads);

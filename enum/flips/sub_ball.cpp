@@ -42,6 +42,14 @@ constexpr std::array<PatchCorners, 1U << cells::kCubeFacets> patch_corners() {
 }
 constexpr auto kPatchCorners = patch_corners();
 
+/// The vertices of a facet, ascending, 16 bits each.
+std::uint64_t key_of(const complex::Hexahedron& cell, std::size_t facet) {
+  std::array<std::uint64_t, 4> v{};
+  for (std::size_t i = 0; i < 4; ++i) v[i] = cell[cells::kFacetVertices[facet][i]];
+  std::sort(v.begin(), v.end());
+  return v[0] << 48U | v[1] << 32U | v[2] << 16U | v[3];
+}
+
 }  // namespace
 
 SubBall::Neighbours SubBall::neighbours_of(const complex::HexComplex& mesh) {
@@ -53,6 +61,40 @@ SubBall::Neighbours SubBall::neighbours_of(const complex::HexComplex& mesh) {
     result[facets[i].cell][facets[i].facet] = facets[i + 1].cell;
     result[facets[i + 1].cell][facets[i + 1].facet] = facets[i].cell;
   }
+  return result;
+}
+
+/// Where walks need it, most of a step's time would go into sorting.
+std::optional<SubBall::Neighbours> SubBall::neighbours_if_complex(const complex::HexComplex& mesh,
+                                                                  int quads) {
+  struct Slot {
+    std::uint64_t key = 0;
+    std::uint32_t cell = 0, facet = 0;
+    int hexahedra = 0;
+  };
+  std::size_t size = 64;
+  while (size < 2 * cells::kCubeFacets * mesh.hexahedra.size()) size *= 2;
+  std::vector<Slot> slots(size);
+  Neighbours result(mesh.hexahedra.size());
+  int in_one = 0;
+  for (std::uint32_t c = 0; c < mesh.hexahedra.size(); ++c)
+    for (std::uint32_t f = 0; f < cells::kCubeFacets; ++f) {
+      result[c][f] = kOutside;
+      const std::uint64_t key = key_of(mesh.hexahedra[c], f);
+      std::size_t at = core::mixed(key) & (size - 1);
+      while (slots[at].hexahedra > 0 && slots[at].key != key) at = (at + 1) & (size - 1);
+      Slot& slot = slots[at];
+      if (++slot.hexahedra == 1) {
+        slot = {key, c, f, 1};
+        ++in_one;
+        continue;
+      }
+      if (slot.hexahedra > 2) return std::nullopt;
+      --in_one;
+      result[c][f] = slot.cell;
+      result[slot.cell][slot.facet] = c;
+    }
+  if (in_one != quads) return std::nullopt;
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,10 @@ class SubBall {
   static constexpr std::uint32_t kOutside = 0xFFFFFFFF;
   using Neighbours = std::vector<std::array<std::uint32_t, 6>>;
   [[nodiscard]] static Neighbours neighbours_of(const complex::HexComplex& mesh);
+  /// The same, or nullopt if not each facet is in one or two hexahedra, in one as often as the
+  /// boundary has quads. Requires less than 65,536 vertices.
+  [[nodiscard]] static std::optional<Neighbours> neighbours_if_complex(
+      const complex::HexComplex& mesh, int quads);
   /// For each vertex its hexahedra.
   using CellsAt = std::vector<std::vector<std::uint32_t>>;
 

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "enum/cells/cube.hpp"
 #include "enum/flips/exchange.hpp"
 
 namespace hexatlas::flips {
@@ -20,48 +19,6 @@ constexpr std::size_t kLargestBall = 22;  ///< hardly a larger one is exchanged
 constexpr int kClimb = 10;                ///< hexahedra that one exchange may add
 constexpr std::size_t kSameState = 16;    ///< of so many such exchanges one is made
 constexpr std::size_t kLayersKept = 10'000;
-
-/// The vertices of a facet, ascending, 16 bits each.
-std::uint64_t key_of(const complex::Hexahedron& cell, std::size_t facet) {
-  std::array<std::uint64_t, 4> v{};
-  for (std::size_t i = 0; i < 4; ++i) v[i] = cell[cells::kFacetVertices[facet][i]];
-  std::sort(v.begin(), v.end());
-  return v[0] << 48U | v[1] << 32U | v[2] << 16U | v[3];
-}
-
-/// As SubBall::neighbours_of(), nullopt if not each facet is in one or two hexahedra, in one as
-/// often as the boundary has quads. Most of a step's time would go into sorting.
-std::optional<SubBall::Neighbours> neighbours_if_complex(const HexComplex& mesh, int quads) {
-  struct Slot {
-    std::uint64_t key = 0;
-    std::uint32_t cell = 0, facet = 0;
-    int hexahedra = 0;
-  };
-  std::size_t size = 64;
-  while (size < 2 * cells::kCubeFacets * mesh.hexahedra.size()) size *= 2;
-  std::vector<Slot> slots(size);
-  SubBall::Neighbours result(mesh.hexahedra.size());
-  int in_one = 0;
-  for (std::uint32_t c = 0; c < mesh.hexahedra.size(); ++c)
-    for (std::uint32_t f = 0; f < cells::kCubeFacets; ++f) {
-      result[c][f] = SubBall::kOutside;
-      const std::uint64_t key = key_of(mesh.hexahedra[c], f);
-      std::size_t at = core::mixed(key) & (size - 1);
-      while (slots[at].hexahedra > 0 && slots[at].key != key) at = (at + 1) & (size - 1);
-      Slot& slot = slots[at];
-      if (++slot.hexahedra == 1) {
-        slot = {key, c, f, 1};
-        ++in_one;
-        continue;
-      }
-      if (slot.hexahedra > 2) return std::nullopt;
-      --in_one;
-      result[c][f] = slot.cell;
-      result[slot.cell][slot.facet] = c;
-    }
-  if (in_one != quads) return std::nullopt;
-  return result;
-}
 
 /// An exchange, and what it does to the number of faults.
 struct Draw {
@@ -152,7 +109,7 @@ bool Walk::exchange(const Climate& climate, BallLayers& layers, std::optional<Le
   if (!drawn) return false;
   HexComplex made = complex::compacted(
       exchanged(mesh_, ball_, layers.of(drawn->fit.ball), drawn->fit), quads_ + 2);
-  auto neighbours = neighbours_if_complex(made, quads_);
+  auto neighbours = SubBall::neighbours_if_complex(made, quads_);
   if (!neighbours) return false;
   mesh_ = std::move(made);
   neighbours_ = *std::move(neighbours);
