@@ -318,6 +318,8 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
   effort("--anneal-faulty", search.anneal_faulty, std::size_t{0}, std::size_t{100'000},
          "Further meshes that it begins with: balls in collars that do not quite fit, so that the "
          "mesh breaks the strict rule in a few places");
+  effort("--anneal-cut", search.anneal_cut, std::size_t{0}, std::size_t{100'000},
+         "And more such meshes: two balls, side by side, in collars that do not quite fit");
   effort("--anneal-rounds", search.anneal_rounds, 1, 10'000'000,
          "Rounds of annealing of each mesh; each takes about 0.012 seconds of one processor");
   effort(

@@ -1,11 +1,10 @@
 #include "enum/flips/faulty_meeting.hpp"
 
-#include <iterator>
-#include <map>
 #include <utility>
 
 #include "enum/core/checks.hpp"
 #include "enum/core/random.hpp"
+#include "enum/flips/faults.hpp"
 #include "enum/flips/matching.hpp"
 #include "enum/flips/sub_ball.hpp"
 
@@ -19,9 +18,6 @@ struct Pairing {
   canon::Flag turn;
 };
 
-/// The pairings of each kind: faults and hexahedra.
-using Kinds = std::map<std::pair<int, int>, std::vector<Pairing>>;
-
 canon::Labelling inverse_of(const canon::Labelling& label, int vertices) {
   canon::Labelling result{};
   for (int v = 0; v < vertices; ++v)
@@ -31,7 +27,7 @@ canon::Labelling inverse_of(const canon::Labelling& label, int vertices) {
 
 /// Adds the pairings with one cavity.
 void add_pairings(const Beam& balls, const Beam& collars, FrontId cavity,
-                  const FaultyMeetingOptions& options, Kinds& result) {
+                  const FaultyMeetingOptions& options, FaultyKinds<Pairing>& result) {
   const State state = collars.state(cavity);
   const int collar = collars.level_of(cavity);
   const auto number = balls.store().find(state.code);
@@ -51,7 +47,7 @@ void add_pairings(const Beam& balls, const Beam& collars, FrontId cavity,
       if (hexahedra >= options.below) continue;
       const int faults = ball.scars.size_in_common(seen);
       if (faults > 0 && hexahedra + options.price * faults < options.below)
-        result[{faults, hexahedra}].push_back({cavity, {*number, place}, flags.flags[i]});
+        result.add(faults, hexahedra, {cavity, {*number, place}, flags.flags[i]});
     }
   }
 }
@@ -72,7 +68,7 @@ std::vector<FaultyMesh> faulty_meetings(const Beam& balls, const canon::Code& ta
   core::expects(boundary && boundary->is_three_connected(),
                 "only a 3-connected boundary has a filling");
   Beam collars(State{target, {}}, options.collars);
-  Kinds kinds;
+  FaultyKinds<Pairing> kinds;
   for (std::size_t size = 1; size > 0; size = collars.expand_level()) {
     for (const FrontId cavity : collars.frontier())
       add_pairings(balls, collars, cavity, options, kinds);
@@ -80,15 +76,12 @@ std::vector<FaultyMesh> faulty_meetings(const Beam& balls, const canon::Code& ta
   }
   core::Random random(options.collars.seed);
   std::vector<FaultyMesh> result;
-  while (!kinds.empty() && result.size() < options.count) {
-    auto kind = std::next(kinds.begin(), static_cast<std::ptrdiff_t>(random.below(kinds.size())));
-    std::vector<Pairing>& own = kind->second;
-    std::swap(own.back(), own[random.below(own.size())]);
-    auto mesh = mesh_of(balls, collars, own.back(), target.quads);
+  while (result.size() < options.count) {
+    const auto drawn = kinds.draw(random);
+    if (!drawn) break;
+    auto mesh = mesh_of(balls, collars, drawn->first, target.quads);
     if (SubBall::neighbours_if_complex(mesh, target.quads))
-      result.push_back({std::move(mesh), kind->first.first});
-    own.pop_back();
-    if (own.empty()) kinds.erase(kind);
+      result.push_back({std::move(mesh), drawn->second});
   }
   return result;
 }

@@ -66,6 +66,7 @@ struct SearchOptions {
   std::size_t annealed = 0;         ///< boundaries per round
   std::size_t anneal_starts = 16;   ///< meshes that annealing of one boundary begins with
   std::size_t anneal_faulty = 100;  ///< others with faults (enum/flips/faulty_meeting.hpp)
+  std::size_t anneal_cut = 100;     ///< others with faults (enum/flips/faulty_cut.hpp)
   int anneal_rounds = 8;            ///< of annealing, per beginning and leap
   int anneal_leaps = 120;           ///< to other meshes (enum/flips/annealing.hpp)
 };

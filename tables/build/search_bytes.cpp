@@ -67,7 +67,7 @@ std::string TableSearch::settings() const {
         static_cast<std::uint64_t>(options_.max_collar), std::uint64_t{options_.collared},
         static_cast<std::uint64_t>(options_.anneal_rounds), std::uint64_t{options_.annealed},
         std::uint64_t{options_.anneal_starts}, std::uint64_t{options_.anneal_faulty},
-        static_cast<std::uint64_t>(options_.anneal_leaps)})
+        std::uint64_t{options_.anneal_cut}, static_cast<std::uint64_t>(options_.anneal_leaps)})
     text += ' ' + std::to_string(number);
   for (const flips::BeamOptions* own : {&options_.symmetric, &options_.collars})
     for (const std::uint64_t number :

@@ -5,6 +5,7 @@
 #include "enum/complex/dual_class.hpp"
 #include "enum/flips/annealing.hpp"
 #include "enum/flips/cut.hpp"
+#include "enum/flips/faulty_cut.hpp"
 #include "enum/flips/faulty_meeting.hpp"
 #include "enum/flips/meeting.hpp"
 #include "enum/flips/symmetric_front.hpp"
@@ -32,7 +33,7 @@ std::size_t per_step(const flips::BeamOptions& collars) {
 /// The same for annealing: about two minutes of two processors at most, or one boundary.
 std::size_t annealed_per_step(const SearchOptions& options) {
   constexpr std::size_t kRounds = 20'000;
-  const std::size_t rounds = (options.anneal_starts + options.anneal_faulty +
+  const std::size_t rounds = (options.anneal_starts + options.anneal_faulty + options.anneal_cut +
                               static_cast<std::size_t>(options.anneal_leaps)) *
                              static_cast<std::size_t>(options.anneal_rounds);
   return std::clamp<std::size_t>(kRounds / rounds, 1, kBoundariesPerStep);
@@ -178,13 +179,23 @@ std::vector<complex::HexComplex> TableSearch::beginnings(const canon::Code& code
 std::vector<flips::FaultyMesh> TableSearch::faulty_beginnings(const canon::Code& code, int size,
                                                               int threads) const {
   constexpr int kWorthATry = 5;  // hexahedra, faults at their price
-  const flips::MeetingOptions plain = collars_for(size + kWorthATry, threads);
-  flips::FaultyMeetingOptions options{.collars = plain.collars,
-                                      .max_collar = plain.max_collar,
-                                      .below = plain.below,
-                                      .count = options_.anneal_faulty};
-  options.collars.seed = seed_for(code);  // others in each round
-  return flips::faulty_meetings(balls_, code, options);
+  std::vector<flips::FaultyMesh> result;
+  if (options_.anneal_faulty > 0) {
+    const flips::MeetingOptions plain = collars_for(size + kWorthATry, threads);
+    flips::FaultyMeetingOptions options{.collars = plain.collars,
+                                        .max_collar = plain.max_collar,
+                                        .below = plain.below,
+                                        .count = options_.anneal_faulty};
+    options.collars.seed = seed_for(code);  // others in each round
+    result = flips::faulty_meetings(balls_, code, options);
+  }
+  if (options_.anneal_cut > 0) {
+    flips::FaultyCutOptions options{.below = size + kWorthATry, .count = options_.anneal_cut};
+    options.collars.seed = seed_for(code);
+    options.collars.threads = threads;
+    for (auto& mesh : flips::faulty_cuts(balls_, code, options)) result.push_back(std::move(mesh));
+  }
+  return result;
 }
 
 void TableSearch::anneal_step() {
@@ -193,9 +204,8 @@ void TableSearch::anneal_step() {
   adopt_all(batch, [&](const canon::Code& code, int threads) -> std::optional<Found> {
     flips::Beginnings begin{beginnings(code, threads), {}};
     if (begin.strict.empty()) return std::nullopt;
-    if (options_.anneal_faulty > 0)
-      begin.faulty =
-          faulty_beginnings(code, static_cast<int>(begin.strict.front().hexahedra.size()), threads);
+    const int size = static_cast<int>(begin.strict.front().hexahedra.size());
+    begin.faulty = faulty_beginnings(code, size, threads);
     auto mesh = flips::least_by_annealing(begin, code.quads, balls_,
                                           {.rounds = options_.anneal_rounds,
                                            .leaps = options_.anneal_leaps,

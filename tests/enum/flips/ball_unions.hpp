@@ -219,4 +219,50 @@ inline Match random_match(const Ball& a, const Ball& b, std::size_t quads,
   return match;
 }
 
+/// All patches of at most so many quads: the darts to extend by, from the first quad on.
+struct Patch {
+  int first = 0;
+  std::vector<Dart> across;
+};
+inline std::vector<Patch> patches_of(const Quadrangulation& q, std::size_t quads) {
+  std::vector<Patch> result;
+  std::map<std::set<int>, Patch> level;
+  for (int i = 0; i < q.quads(); ++i) level[{i}] = {i, {}};
+  for (std::size_t size = 1; size <= quads; ++size) {
+    std::map<std::set<int>, Patch> next;
+    for (const auto& [set, patch] : level) {
+      result.push_back(patch);
+      for (const int quad : set)
+        for (int side = 0; side < 4; ++side) {
+          const Dart d = Quadrangulation::dart(quad, side);
+          auto larger = set;
+          if (!larger.insert(Quadrangulation::quad_of(q.twin(d))).second) continue;
+          Patch extended = patch;
+          extended.across.push_back(d);
+          next.emplace(std::move(larger), std::move(extended));
+        }
+    }
+    level = std::move(next);
+  }
+  return result;
+}
+
+/// Calls `visit` with each match of two balls along a disc within the limits.
+template <typename Visit>
+void for_each_match(const std::vector<Ball>& balls, int max_circle, int max_interior,
+                    const Visit& visit) {
+  const auto most = static_cast<std::size_t>(max_circle / 2 - 1 + max_interior);
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    for (const Patch& patch : patches_of(balls[i].boundary, most))
+      for (std::size_t j = i; j < balls.size(); ++j)
+        for (int e = 0; e < 2 * balls[j].boundary.darts(); ++e) {
+          Match match(balls[i], balls[j], e % 2 == 1);
+          (void)match.add(Quadrangulation::dart(patch.first, 0), static_cast<Dart>(e / 2));
+          const bool fits = std::all_of(patch.across.begin(), patch.across.end(),
+                                        [&](Dart d) { return match.extend(d); });
+          const auto disc = fits ? match.disc() : std::nullopt;
+          if (disc && disc->first <= max_circle && disc->second <= max_interior) visit(match);
+        }
+}
+
 }  // namespace hexatlas::support

@@ -6,8 +6,12 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
+#include <gtest/gtest.h>
+
+#include "enum/flips/walk.hpp"
 #include "tests/enum/support.hpp"
 
 namespace hexatlas::support {
@@ -47,6 +51,45 @@ inline int faults_of(const std::vector<oracle::Cell>& cells) {
   int faults = 0;
   for (const auto& [pair, own] : with) faults += faults_of_pair(facets, pair, own);
   return faults;
+}
+
+/// Whether more than two of the cells have the same facet.
+inline bool has_facet_thrice(const std::vector<oracle::Cell>& cells) {
+  std::map<std::set<std::uint32_t>, int> number;
+  for (const auto& cell : cells)
+    for (const auto& facet : facets_of(cell))
+      if (++number[facet] > 2) return true;
+  return false;
+}
+
+/// Meshes of this boundary with faults, as many as they say; with those, at their price, they have
+/// less than so many hexahedra.
+inline void expect_faulty_meshes(const std::vector<flips::FaultyMesh>& meshes,
+                                 const canon::Code& code, int price, int below) {
+  for (const auto& [mesh, faults] : meshes) {
+    EXPECT_GT(faults, 0);
+    const auto cells = cells_of(mesh);
+    EXPECT_EQ(faults, faults_of(cells));
+    EXPECT_LT(static_cast<int>(cells.size()) + price * faults, below);
+    EXPECT_EQ(oracle::boundary(cells).size(), static_cast<std::size_t>(code.quads));
+    EXPECT_NE(fault_of_mesh(mesh, code), "");
+  }
+}
+
+inline void expect_same(const std::vector<flips::FaultyMesh>& some,
+                        const std::vector<flips::FaultyMesh>& others) {
+  ASSERT_EQ(some.size(), others.size());
+  for (std::size_t i = 0; i < some.size(); ++i)
+    EXPECT_EQ(some[i].mesh.hexahedra, others[i].mesh.hexahedra);
+}
+
+/// The numbers of faults and of hexahedra that there are among the meshes.
+using Kinds = std::set<std::pair<int, int>>;
+inline Kinds kinds_of(const std::vector<flips::FaultyMesh>& meshes) {
+  Kinds kinds;
+  for (const auto& [mesh, faults] : meshes)
+    kinds.emplace(faults, static_cast<int>(mesh.hexahedra.size()));
+  return kinds;
 }
 
 }  // namespace hexatlas::support

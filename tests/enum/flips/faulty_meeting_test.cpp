@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -20,10 +19,9 @@
 namespace {
 
 using namespace hexatlas;
-using flips::FaultyMesh;
 using support::cells_of;
 
-flips::FaultyMeetingOptions limits(int below, std::size_t count) {
+flips::FaultyMeetingOptions meeting_limits(int below, std::size_t count) {
   return {.collars = {.max_quads = 20, .fronts_per_class = 5, .fronts_per_level = 60},
           .max_collar = 4,
           .price = 2,
@@ -31,48 +29,21 @@ flips::FaultyMeetingOptions limits(int below, std::size_t count) {
           .count = count};
 }
 
-void expect_meshes(const std::vector<FaultyMesh>& meshes, const canon::Code& code,
-                   const flips::FaultyMeetingOptions& options) {
-  const auto boundary = canon::decode(code).value();
-  for (const auto& [mesh, faults] : meshes) {
-    EXPECT_GT(faults, 0);
-    const auto cells = cells_of(mesh);
-    EXPECT_EQ(faults, support::faults_of(cells));
-    EXPECT_LT(static_cast<int>(cells.size()) + options.price * faults, options.below);
-    EXPECT_EQ(oracle::boundary(cells).size(), static_cast<std::size_t>(boundary.quads()));
-    EXPECT_NE(support::fault_of_mesh(mesh, code), "");
-  }
-}
-
 TEST(FaultyMeeting, KnowsItsFaults) {
   const auto beam = support::grown(20, 10, 1'000, 24);
   std::size_t all = 0;
   for (const auto& code : beam.codes()) {
     if (code.quads < 16 || code.quads > 18) continue;
-    auto options = limits(*beam.first_level(code) + 1 + 12, 12);
+    auto options = meeting_limits(*beam.first_level(code) + 1 + 12, 12);
     const auto meshes = flips::faulty_meetings(beam, code, options);
     EXPECT_LE(meshes.size(), options.count);
-    expect_meshes(meshes, code, options);
+    support::expect_faulty_meshes(meshes, code, options.price, options.below);
     all += meshes.size();
     options.collars.threads = 3;
-    const auto again = flips::faulty_meetings(beam, code, options);
-    ASSERT_EQ(again.size(), meshes.size());
-    for (std::size_t i = 0; i < meshes.size(); ++i)
-      EXPECT_EQ(again[i].mesh.hexahedra, meshes[i].mesh.hexahedra);
+    support::expect_same(flips::faulty_meetings(beam, code, options), meshes);
     if (all > 60) break;
   }
   EXPECT_GT(all, 60U);
-}
-
-using Kinds = std::set<std::pair<int, int>>;  // faults, hexahedra
-
-/// Whether more than two of the cells have the same facet.
-bool has_facet_thrice(const std::vector<oracle::Cell>& cells) {
-  std::map<std::set<std::uint32_t>, int> number;
-  for (const auto& cell : cells)
-    for (const auto& facet : support::facets_of(cell))
-      if (++number[facet] > 2) return true;
-  return false;
 }
 
 /// The ball and one hexahedron more.
@@ -92,7 +63,7 @@ std::vector<oracle::Cell> glued_cells(const flips::Beam& beam, flips::FrontId ba
 
 /// The kinds of the meshes that one hexahedron makes of the beam's balls with a boundary.
 void add_kinds(const flips::Beam& beam, const canon::Code& of_ball, const canon::Code& target,
-               Kinds& kinds) {
+               support::Kinds& kinds) {
   const auto boundary = canon::decode(of_ball).value();
   for (int i = 0; i < 16 * boundary.quads(); ++i) {
     const flips::Flip flip{static_cast<complex::Quad>(i / 16), static_cast<std::uint8_t>(i % 16)};
@@ -107,7 +78,7 @@ void add_kinds(const flips::Beam& beam, const canon::Code& of_ball, const canon:
     for (const auto& ball : beam.fronts_of(of_ball)) {
       const auto cells = glued_cells(beam, ball.id, *prism);
       const int faults = support::faults_of(cells);
-      if (faults > 0 && !has_facet_thrice(cells))
+      if (faults > 0 && !support::has_facet_thrice(cells))
         kinds.emplace(faults, static_cast<int>(cells.size()));
     }
   }
@@ -119,15 +90,13 @@ TEST(FaultyMeeting, HasAllKindsThatOneHexahedronMakesOfTheBalls) {
   std::size_t compared = 0, with_faults = 0;
   for (const auto& code : codes) {
     if (code.quads != 16) continue;
-    Kinds expected;
+    support::Kinds expected;
     for (const auto& of_ball : codes) add_kinds(beam, of_ball, code, expected);
     with_faults += expected.size();
-    auto options = limits(1'000, 1'000'000);
+    auto options = meeting_limits(1'000, 1'000'000);
     options.max_collar = 1;
-    Kinds found;
-    for (const auto& [mesh, faults] : flips::faulty_meetings(beam, code, options))
-      found.emplace(faults, static_cast<int>(mesh.hexahedra.size()));
-    EXPECT_EQ(found, expected) << canon::to_text(code);
+    EXPECT_EQ(support::kinds_of(flips::faulty_meetings(beam, code, options)), expected)
+        << canon::to_text(code);
     if (++compared == 3) break;
   }
   EXPECT_EQ(compared, 3U);
@@ -140,7 +109,7 @@ TEST(FaultyMeeting, GivesDifferentOnesForAnotherSeed) {
   std::set<std::vector<complex::Hexahedron>> meshes;
   std::size_t all = 0;
   for (const std::uint64_t seed : {1U, 2U}) {
-    auto options = limits(40, 10);
+    auto options = meeting_limits(40, 10);
     options.collars.seed = seed;
     for (const auto& [mesh, faults] : flips::faulty_meetings(beam, code, options)) {
       meshes.insert(mesh.hexahedra);
