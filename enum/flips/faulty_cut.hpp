@@ -22,14 +22,14 @@ namespace hexatlas::flips {
 
 struct FaultyCutOptions {
   /// Limits of the collars' beam, which is narrow; its seed decides what is drawn, too.
-  BeamOptions collars{.max_quads = 24, .fronts_per_class = 3, .fronts_per_level = 300};
-  int max_collar = 6;         ///< hexahedra
-  int max_circle = 8;         ///< of the cuts, as in CutOptions
-  int max_interior = 4;       ///< of the cuts, as in CutOptions
-  std::size_t cavities = 40;  ///< to be cut, the boundary itself among them
-  int price = 1;              ///< hexahedra that a fault counts as
-  int below = 1 << 14;        ///< hexahedra and price together are less than this
-  std::size_t count = 100;    ///< meshes, at most
+  BeamOptions collars{.max_quads = kMaxSearchQuads, .fronts_per_class = 3, .fronts_per_level = 300};
+  int max_collar = 6;          ///< hexahedra
+  int max_circle = 8;          ///< of the cuts, as in CutOptions
+  int max_interior = 4;        ///< of the cuts, as in CutOptions
+  std::size_t cavities = 100;  ///< to be cut, the boundary itself among them
+  int price = 1;               ///< hexahedra that a fault counts as
+  int below = 1 << 14;         ///< hexahedra and price together are less than this
+  std::size_t count = 100;     ///< meshes, at most
 };
 
 /// Some such meshes of `target` with at least one fault, drawn at random: cavities of each

@@ -8,7 +8,7 @@ commit=$(git -C ../.. describe --always --dirty --abbrev=12) # before the result
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 if [[ "${1:-}" == --search ]]; then
-  plain=(--symmetric 0 --anneal-faulty 0) # the runs before symmetric collars, and before beginnings with faults
+  plain=(--symmetric 0 --anneal-faulty 0 --anneal-cut 0) # the runs before symmetric collars, and before beginnings with faults
   "$program" table build -o hexatlas.hxt --state hexatlas.state "${plain[@]}"
   "$program" table build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas.state \
     --rounds 1 --max-hexahedra 1 --cut 2000 --cuts-each 4 --collared 0 "${plain[@]}"
@@ -52,7 +52,7 @@ if [[ "${1:-}" == --search ]]; then
     --growths 4 --collared 0
   # A sweep whose targets have 22 quads, too, then annealing. Its rounds were of eight walks once; of two, as today, they are four
   # times as many.
-  none=(--cut 0 --symmetric 0 --collared 0 --growths 0 --rounds 1 --anneal-faulty 0)
+  none=(--cut 0 --symmetric 0 --collared 0 --growths 0 --rounds 1 --anneal-faulty 0 --anneal-cut 0)
   again=(--width 900000 --per-class 200 --seed 20261124 "${none[@]}")
   "$program" table build -o swept-22.hxt --state swept-22.state --max-quads 22 --start-from hexatlas-end.hxt "${again[@]}" \
     --max-hexahedra 58
@@ -63,7 +63,7 @@ if [[ "${1:-}" == --search ]]; then
     --max-hexahedra 1
   # Another sweep; then annealing that begins with many meshes: for the two largest, then with more for the largest.
   fresh=(--width 900000 --per-class 200 --seed 20261125 --growths 0 --cut 0 --symmetric 0 --collared 0 --rounds 1)
-  thick=(--collar-hexahedra 30 --collar-widest 30 --collar-narrow 3 --symmetric-hexahedra 58 --anneal-rounds 240 --anneal-faulty 0)
+  thick=(--collar-hexahedra 30 --collar-widest 30 --collar-narrow 3 --symmetric-hexahedra 58 --anneal-rounds 240 --anneal-faulty 0 --anneal-cut 0)
   "$program" table build -o fresh.hxt --state fresh.state --start-from hexatlas-annealed.hxt "${fresh[@]}" --max-hexahedra 58
   "$program" table build -o two.hxt --state two.state --start-from fresh.state fresh.hxt "${fresh[@]}" "${thick[@]}" \
     --max-hexahedra 1 --annealed 2 --anneal-starts 60 --symmetric-width 6000 --symmetric-widest 40 --collar-width 3000
@@ -154,14 +154,17 @@ if [[ "${1:-}" == --search ]]; then
   leap_from hexatlas-classes.hxt 20261201 520 1000 800 hexatlas-leapt.hxt
   leap_from hexatlas-leapt.hxt 20261202 500 1000 800 hexatlas-more.hxt
   leap_from hexatlas-more.hxt 20261203 430 500 300 hexatlas-leapt-more.hxt
-  # Another sweep; then annealing that begins with faults, by a trial program that tried several prices and drew beginnings anew after each
-  # smaller mesh.
-  faulty=(--width 2200000 --per-class 200 --seed 20261204 --rounds 1 --growths 0 --cut 0 --collared 0 --symmetric 0)
-  "$program" table build -o swept.hxt --state swept-20261204.state --start-from hexatlas-leapt-more.hxt hexatlas-22.hxt "${faulty[@]}" \
-    --memory 14 --max-hexahedra 56
-  "$program" table build -o faulty.hxt --start-from swept-20261204.state swept.hxt "${faulty[@]}" --max-hexahedra 1 --annealed 400 \
-    --anneal-starts 1 --anneal-leaps 0 --anneal-faulty 400 --collar-hexahedra 10 --collar-width 10000
-  "$program" table build -o hexatlas.hxt --start-from hexatlas-leapt-more.hxt swept.hxt faulty.hxt "${last[@]/20261126/20261204}"
+  # Twice another sweep, then annealing that begins with faults: the second time those of faulty cuts, too. By trial programs that tried
+  # several prices and drew beginnings anew after each smaller mesh.
+  faulty_from() { # TABLE SEED BOUNDARIES CUT RESULT
+    local swept="swept-$2.state" options=(--width 2200000 --per-class 200 --seed "$2" --rounds 1 --growths 0 --cut 0 --collared 0 --symmetric 0)
+    "$program" table build -o swept.hxt --state "$swept" --start-from "$1" hexatlas-22.hxt "${options[@]}" --memory 14 --max-hexahedra 56
+    "$program" table build -o faulty.hxt --start-from "$swept" swept.hxt "${options[@]}" --max-hexahedra 1 --annealed "$3" --anneal-starts 1 \
+      --anneal-leaps 0 --anneal-faulty 400 --anneal-cut "$4" --collar-hexahedra 10 --collar-width 10000
+    "$program" table build -o "$5" --start-from "$1" swept.hxt faulty.hxt "${last[@]/20261126/$2}"
+  }
+  faulty_from hexatlas-leapt-more.hxt 20261204 400 0 hexatlas-faulty.hxt
+  faulty_from hexatlas-faulty.hxt 20261205 87 400 hexatlas.hxt
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
