@@ -21,9 +21,10 @@ namespace {
 using core::Random;
 
 constexpr std::size_t kWaysEach = 60;  ///< to fill one side of a cut
-constexpr std::size_t kTriesEach = 3;  ///< unions per cavity and mesh asked for
+/// Unions made for each mesh asked for: most have too many faults.
+constexpr std::size_t kTriesEach = 20;
 
-/// Moves so many of them, drawn at random, to the front, and leaves only these.
+/// Leaves so many of them, drawn at random.
 template <typename T>
 void keep_some(std::vector<T>& all, std::size_t count, Random& random) {
   const std::size_t kept = std::min(count, all.size());
