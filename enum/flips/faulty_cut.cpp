@@ -10,7 +10,6 @@
 #include "enum/core/checks.hpp"
 #include "enum/core/random.hpp"
 #include "enum/flips/cut_list.hpp"
-#include "enum/flips/faults.hpp"
 #include "enum/flips/matching.hpp"
 #include "enum/flips/meeting.hpp"
 #include "enum/flips/sub_ball.hpp"
@@ -44,7 +43,7 @@ class FaultyCuts {
   std::vector<FaultyMesh> run() {
     for (const FrontId cavity : some_cavities()) add_unions(cavity);
     std::vector<FaultyMesh> result;
-    while (result.size() < options_.count) {
+    while (result.size() < options_.wanted.count) {
       auto drawn = meshes_.draw(random_);
       if (!drawn) break;
       result.push_back({std::move(drawn->first), drawn->second});
@@ -81,16 +80,18 @@ class FaultyCuts {
   void add_unions(FrontId cavity) {
     const canon::Code code = collars_.state(cavity).code;
     if (code.quads > kMaxSearchQuads) return;
-    const int below = options_.below - collars_.level_of(cavity) - options_.price;
+    // What is left to the two balls.
+    FaultyWanted wanted = options_.wanted;
+    wanted.below -= collars_.level_of(cavity);
     CutOptions limits;
     limits.max_circle = options_.max_circle;
     limits.max_interior = options_.max_interior;
-    limits.below = below;
+    limits.below = wanted.below - wanted.price;  // a fault at least
     CutList list(source_, code, limits);
     FaultyKinds<Union> unions;
-    for (std::size_t i = 0; i < list.cuts().size(); ++i) add_unions_along(list, i, below, unions);
+    for (std::size_t i = 0; i < list.cuts().size(); ++i) add_unions_along(list, i, wanted, unions);
     const Layers collar = layers_along(collars_, cavity, Growth::inward);
-    for (std::size_t i = 0; i < kTriesEach * options_.count / options_.cavities + 1; ++i) {
+    for (std::size_t i = 0; i < kTriesEach * wanted.count / options_.cavities + 1; ++i) {
       const auto drawn = unions.draw(random_);
       if (!drawn) break;
       const auto& [cut, ways] = drawn->first;
@@ -98,7 +99,9 @@ class FaultyCuts {
     }
   }
 
-  void add_unions_along(CutList& list, std::size_t index, int below, FaultyKinds<Union>& unions) {
+  void add_unions_along(CutList& list, std::size_t index, const FaultyWanted& wanted,
+                        FaultyKinds<Union>& unions) {
+    const int below = wanted.below - wanted.price;
     const Cut& cut = list.cuts()[index];
     const CutSides sides = list.sides_of(cut);
     const CutList::Pairs pairs = CutList::pairs_of(cut);
@@ -110,7 +113,7 @@ class FaultyCuts {
       for (const TurnedBall& other : second) {
         const int hexahedra = one.hexahedra + other.hexahedra;
         const int faults = static_cast<int>((one.pairs & other.pairs).count());
-        if (hexahedra + options_.price * std::max(faults - 1, 0) < below)
+        if (wanted.includes(hexahedra, std::max(faults, 1)))
           unions.add(faults, hexahedra, {index, {one, other}});
       }
   }
@@ -127,7 +130,7 @@ class FaultyCuts {
     if (!neighbours) return;
     const int faults = faults_of(mesh, *neighbours);
     const int hexahedra = static_cast<int>(mesh.hexahedra.size());
-    if (faults > 0 && hexahedra + options_.price * faults < options_.below)
+    if (faults > 0 && options_.wanted.includes(hexahedra, faults))
       meshes_.add(faults, hexahedra, std::move(mesh));
   }
 

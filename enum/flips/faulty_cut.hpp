@@ -16,6 +16,7 @@
 
 #include "enum/canon/code.hpp"
 #include "enum/flips/beam.hpp"
+#include "enum/flips/faults.hpp"
 #include "enum/flips/walk.hpp"
 
 namespace hexatlas::flips {
@@ -27,9 +28,7 @@ struct FaultyCutOptions {
   int max_circle = 8;          ///< of the cuts, as in CutOptions
   int max_interior = 4;        ///< of the cuts, as in CutOptions
   std::size_t cavities = 100;  ///< to be cut, the boundary itself among them
-  int price = 1;               ///< hexahedra that a fault counts as
-  int below = 1 << 14;         ///< hexahedra and price together are less than this
-  std::size_t count = 100;     ///< meshes, at most
+  FaultyWanted wanted;
 };
 
 /// Some such meshes of `target` with at least one fault, drawn at random: cavities of each

@@ -4,7 +4,6 @@
 
 #include "enum/core/checks.hpp"
 #include "enum/core/random.hpp"
-#include "enum/flips/faults.hpp"
 #include "enum/flips/matching.hpp"
 #include "enum/flips/sub_ball.hpp"
 
@@ -33,7 +32,7 @@ void add_pairings(const Beam& balls, const Beam& collars, FrontId cavity,
   const auto number = balls.store().find(state.code);
   if (!number) return;
   const FrontStore::Family& family = balls.store().family(*number);
-  if (collar + family.level_floor + 1 >= options.below) return;
+  if (collar + family.level_floor + 1 >= options.wanted.below) return;
   const auto boundary = canon::decode(state.code).value();
   canon::CanonicalFlags flags;
   canon::canonical_flags(boundary, flags);
@@ -44,9 +43,9 @@ void add_pairings(const Beam& balls, const Beam& collars, FrontId cavity,
     for (std::uint32_t place = 0; place < family.fronts.size(); ++place) {
       const StoredFront& ball = family.fronts[place];
       const int hexahedra = collar + ball.level + 1;
-      if (hexahedra >= options.below) continue;
+      if (hexahedra >= options.wanted.below) continue;
       const int faults = ball.scars.size_in_common(seen);
-      if (faults > 0 && hexahedra + options.price * faults < options.below)
+      if (faults > 0 && options.wanted.includes(hexahedra, faults))
         result.add(faults, hexahedra, {cavity, {*number, place}, flags.flags[i]});
     }
   }
@@ -76,7 +75,7 @@ std::vector<FaultyMesh> faulty_meetings(const Beam& balls, const canon::Code& ta
   }
   core::Random random(options.collars.seed);
   std::vector<FaultyMesh> result;
-  while (result.size() < options.count) {
+  while (result.size() < options.wanted.count) {
     const auto drawn = kinds.draw(random);
     if (!drawn) break;
     auto mesh = mesh_of(balls, collars, drawn->first, target.quads);

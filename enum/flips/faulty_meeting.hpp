@@ -9,21 +9,19 @@
 ///
 /// Faulty meetings are of this project.
 
-#include <cstddef>
 #include <vector>
 
 #include "enum/canon/code.hpp"
 #include "enum/flips/beam.hpp"
+#include "enum/flips/faults.hpp"
 #include "enum/flips/walk.hpp"
 
 namespace hexatlas::flips {
 
 struct FaultyMeetingOptions {
-  BeamOptions collars;      ///< limits of the collars' beam; its seed decides what is drawn, too
-  int max_collar = 8;       ///< hexahedra
-  int price = 1;            ///< hexahedra that a fault counts as
-  int below = 1 << 14;      ///< hexahedra and price together are less than this
-  std::size_t count = 100;  ///< meshes, at most
+  BeamOptions collars;  ///< limits of the collars' beam; its seed decides what is drawn, too
+  int max_collar = 8;   ///< hexahedra
+  FaultyWanted wanted;
 };
 
 /// Of all meetings of a collar of `target` with a ball of `balls` that have a fault, some drawn at

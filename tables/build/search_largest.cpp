@@ -182,15 +182,16 @@ std::vector<flips::FaultyMesh> TableSearch::faulty_beginnings(const canon::Code&
   std::vector<flips::FaultyMesh> result;
   if (options_.anneal_faulty > 0) {
     const flips::MeetingOptions plain = collars_for(size + kWorthATry, threads);
-    flips::FaultyMeetingOptions options{.collars = plain.collars,
-                                        .max_collar = plain.max_collar,
-                                        .below = plain.below,
-                                        .count = options_.anneal_faulty};
+    flips::FaultyMeetingOptions options{
+        .collars = plain.collars,
+        .max_collar = plain.max_collar,
+        .wanted = {.below = plain.below, .count = options_.anneal_faulty}};
     options.collars.seed = seed_for(code);  // others in each round
     result = flips::faulty_meetings(balls_, code, options);
   }
   if (options_.anneal_cut > 0) {
-    flips::FaultyCutOptions options{.below = size + kWorthATry, .count = options_.anneal_cut};
+    flips::FaultyCutOptions options{
+        .wanted = {.below = size + kWorthATry, .count = options_.anneal_cut}};
     options.collars.seed = seed_for(code);
     options.collars.threads = threads;
     for (auto& mesh : flips::faulty_cuts(balls_, code, options)) result.push_back(std::move(mesh));

@@ -91,8 +91,7 @@ TEST(Annealing, FindsFewerHexahedraBeginningWithFaults) {
     const flips::FaultyMeetingOptions meetings{
         .collars = {.max_quads = 22, .fronts_per_class = 10, .fronts_per_level = 200},
         .max_collar = 6,
-        .below = static_cast<int>(without.hexahedra.size()) + 12,
-        .count = 20};
+        .wanted = {.below = static_cast<int>(without.hexahedra.size()) + 12, .count = 20}};
     const auto faulty = flips::faulty_meetings(beam, code, meetings);
     if (faulty.size() < 6) continue;
     const auto least = flips::least_by_annealing({{mesh}, faulty}, code.quads, beam, options);

@@ -11,7 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include "enum/flips/faults.hpp"
 #include "enum/flips/walk.hpp"
+#include "tests/enum/flips/small_beam.hpp"
 #include "tests/enum/support.hpp"
 
 namespace hexatlas::support {
@@ -62,15 +64,14 @@ inline bool has_facet_thrice(const std::vector<oracle::Cell>& cells) {
   return false;
 }
 
-/// Meshes of this boundary with faults, as many as they say; with those, at their price, they have
-/// less than so many hexahedra.
+/// Meshes of this boundary with faults, as many as they say, not too many.
 inline void expect_faulty_meshes(const std::vector<flips::FaultyMesh>& meshes,
-                                 const canon::Code& code, int price, int below) {
+                                 const canon::Code& code, const flips::FaultyWanted& wanted) {
   for (const auto& [mesh, faults] : meshes) {
     EXPECT_GT(faults, 0);
     const auto cells = cells_of(mesh);
     EXPECT_EQ(faults, faults_of(cells));
-    EXPECT_LT(static_cast<int>(cells.size()) + price * faults, below);
+    EXPECT_LT(static_cast<int>(cells.size()) + wanted.price * faults, wanted.below);
     EXPECT_EQ(oracle::boundary(cells).size(), static_cast<std::size_t>(code.quads));
     EXPECT_NE(fault_of_mesh(mesh, code), "");
   }
@@ -81,6 +82,26 @@ inline void expect_same(const std::vector<flips::FaultyMesh>& some,
   ASSERT_EQ(some.size(), others.size());
   for (std::size_t i = 0; i < some.size(); ++i)
     EXPECT_EQ(some[i].mesh.hexahedra, others[i].mesh.hexahedra);
+}
+
+/// That `find`, within `limits(below, count)`, keeps to these and knows the faults of what it finds
+/// for boundaries with 16 and 18 quads, the same for any number of threads.
+template <typename Options, typename Find>
+void expect_faults_are_known(Options (*limits)(int, std::size_t), const Find& find) {
+  const auto beam = grown(20, 10, 1'000, 24);
+  std::size_t all = 0;
+  for (const auto& code : beam.codes()) {
+    if (code.quads < 16 || code.quads > 18) continue;
+    Options options = limits(*beam.first_level(code) + 1 + 12, 12);
+    const std::vector<flips::FaultyMesh> meshes = find(beam, code, options);
+    EXPECT_LE(meshes.size(), options.wanted.count);
+    expect_faulty_meshes(meshes, code, options.wanted);
+    all += meshes.size();
+    options.collars.threads = 3;
+    expect_same(find(beam, code, options), meshes);
+    if (all > 60) break;
+  }
+  EXPECT_GT(all, 60U);
 }
 
 /// The numbers of faults and of hexahedra that there are among the meshes.

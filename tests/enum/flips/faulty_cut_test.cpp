@@ -27,26 +27,11 @@ flips::FaultyCutOptions cut_limits(int below, std::size_t count) {
           .max_circle = 8,
           .max_interior = 2,
           .cavities = 10,
-          .price = 2,
-          .below = below,
-          .count = count};
+          .wanted = {.price = 2, .below = below, .count = count}};
 }
 
 TEST(FaultyCut, KnowsItsFaults) {
-  const auto beam = support::grown(20, 10, 1'000, 24);
-  std::size_t all = 0;
-  for (const auto& code : beam.codes()) {
-    if (code.quads < 16 || code.quads > 18) continue;
-    auto options = cut_limits(*beam.first_level(code) + 1 + 12, 12);
-    const auto meshes = flips::faulty_cuts(beam, code, options);
-    EXPECT_LE(meshes.size(), options.count);
-    support::expect_faulty_meshes(meshes, code, options.price, options.below);
-    all += meshes.size();
-    options.collars.threads = 3;
-    support::expect_same(flips::faulty_cuts(beam, code, options), meshes);
-    if (all > 60) break;
-  }
-  EXPECT_GT(all, 60U);
+  support::expect_faults_are_known(cut_limits, flips::faulty_cuts);
 }
 
 TEST(FaultyCut, HasAllKindsThatTwoBallsMake) {

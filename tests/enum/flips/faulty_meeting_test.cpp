@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "enum/cells/cube.hpp"
+#include "enum/flips/meeting.hpp"
 #include "tests/enum/flips/faults.hpp"
 #include "tests/enum/flips/small_beam.hpp"
 #include "tests/enum/support.hpp"
@@ -24,26 +25,11 @@ using support::cells_of;
 flips::FaultyMeetingOptions meeting_limits(int below, std::size_t count) {
   return {.collars = {.max_quads = 20, .fronts_per_class = 5, .fronts_per_level = 60},
           .max_collar = 4,
-          .price = 2,
-          .below = below,
-          .count = count};
+          .wanted = {.price = 2, .below = below, .count = count}};
 }
 
 TEST(FaultyMeeting, KnowsItsFaults) {
-  const auto beam = support::grown(20, 10, 1'000, 24);
-  std::size_t all = 0;
-  for (const auto& code : beam.codes()) {
-    if (code.quads < 16 || code.quads > 18) continue;
-    auto options = meeting_limits(*beam.first_level(code) + 1 + 12, 12);
-    const auto meshes = flips::faulty_meetings(beam, code, options);
-    EXPECT_LE(meshes.size(), options.count);
-    support::expect_faulty_meshes(meshes, code, options.price, options.below);
-    all += meshes.size();
-    options.collars.threads = 3;
-    support::expect_same(flips::faulty_meetings(beam, code, options), meshes);
-    if (all > 60) break;
-  }
-  EXPECT_GT(all, 60U);
+  support::expect_faults_are_known(meeting_limits, flips::faulty_meetings);
 }
 
 /// The ball and one hexahedron more.
