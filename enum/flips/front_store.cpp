@@ -78,13 +78,16 @@ bool FrontStore::is_dominated(const Family& own, const Offer& offer) const noexc
   });
 }
 
+bool FrontStore::is_full(const Shard& shard) const noexcept {
+  return shard.fronts >= limits_.max_fronts / kShards;
+}
+
 /// Whether `wanted` may come; removes the worst fresh front if there are too many.
 bool FrontStore::make_room(Shard& shard, Family& own, const StoredFront& wanted) {
   const auto fresh = own.fronts.begin() + own.fresh_begin;
   const bool family_is_full =
       own.fronts.end() - fresh >= static_cast<std::ptrdiff_t>(limits_.fronts_per_family);
-  const bool store_is_full = shard.fronts >= limits_.max_fronts / kShards;
-  if (!family_is_full && !store_is_full) return true;
+  if (!family_is_full && !is_full(shard)) return true;
   shard.truncated = true;
   const auto worst = std::max_element(
       fresh, own.fronts.end(),
@@ -97,6 +100,10 @@ bool FrontStore::make_room(Shard& shard, Family& own, const StoredFront& wanted)
 
 void FrontStore::offer(std::size_t number, const Offer& offer) {
   Shard& shard = shards_[number];
+  if (is_full(shard) && !find(offer.state.code)) {
+    shard.truncated = true;
+    return;
+  }
   Family& own = family_for(shard, offer.state.code);
   if (own.pass != pass_) {
     own.pass = pass_;
@@ -108,14 +115,16 @@ void FrontStore::offer(std::size_t number, const Offer& offer) {
                          .flip = offer.flip,
                          .level = offer.level,
                          .size = static_cast<std::uint16_t>(offer.state.scars.size())};
+  bool takes_a_place = false;
   if (limits_.use_dominance) {
     const auto kept =
         std::remove_if(own.fronts.begin() + own.fresh_begin, own.fronts.end(),
                        [&](const StoredFront& f) { return made.scars.is_subset_of(f.scars); });
+    takes_a_place = kept != own.fronts.end();
     shard.fronts -= static_cast<std::size_t>(own.fronts.end() - kept);
     own.fronts.erase(kept, own.fronts.end());
   }
-  if (!make_room(shard, own, made)) return;
+  if (!takes_a_place && !make_room(shard, own, made)) return;
   own.level_floor = std::min(own.level_floor, made.level);
   own.fronts.push_back(made);
   ++shard.fronts;

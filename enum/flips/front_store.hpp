@@ -73,7 +73,7 @@ class FrontStore {
     std::uint16_t level = 0;
   };
 
-  struct Family {
+  struct Family {  ///< never without a front
     canon::Code code;
     std::vector<StoredFront> fronts;
     std::uint32_t pass = 0;             ///< the last pass in which fronts came
@@ -153,6 +153,7 @@ class FrontStore {
 
   [[nodiscard]] static std::size_t slot_of(const Shard& shard, const canon::Code& code) noexcept;
   Family& family_for(Shard& shard, const canon::Code& code);
+  [[nodiscard]] bool is_full(const Shard& shard) const noexcept;
   [[nodiscard]] bool is_dominated(const Family& own, const Offer& offer) const noexcept;
   bool make_room(Shard& shard, Family& own, const StoredFront& wanted);
 

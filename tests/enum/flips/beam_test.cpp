@@ -164,6 +164,8 @@ TEST(Beam, StaysWithinItsMemoryAndSaysSo) {
   while (beam.expand_level() > 0) EXPECT_LE(beam.fronts(), options.max_fronts);
   EXPECT_GT(beam.fronts(), options.max_fronts / 2);
   EXPECT_FALSE(beam.is_exhaustive());
+  for (const canon::Code& code : beam.codes()) EXPECT_FALSE(beam.fronts_of(code).empty());
+  EXPECT_EQ(Beam::from_bytes(beam.to_bytes(), single(), options, "saved").codes(), beam.codes());
 }
 
 TEST(Beam, OptionsAreChecked) {
