@@ -154,9 +154,9 @@ if [[ "${1:-}" == --search ]]; then
   leap_from hexatlas-classes.hxt 20261201 520 1000 800 hexatlas-leapt.hxt
   leap_from hexatlas-leapt.hxt 20261202 500 1000 800 hexatlas-more.hxt
   leap_from hexatlas-more.hxt 20261203 430 500 300 hexatlas-leapt-more.hxt
-  # Three times another sweep, then annealing that begins with faults: the second and third time those of faulty cuts, too, the third time
-  # with boundaries of up to 26 quads. By trial programs that tried several prices and drew beginnings anew after each smaller mesh. The
-  # third sweep was cut short after 52 hexahedra.
+  # Four times another sweep, then annealing that begins with faults: from the second time on those of faulty cuts, too, from the third
+  # time on with boundaries of up to 26 quads. By trial programs that tried several prices and drew beginnings anew after each smaller
+  # mesh. The last two sweeps were cut short after 52 and 49 hexahedra.
   faulty_from() { # TABLE SEED BOUNDARIES CUT RESULT WIDEST COLLAR-HEXAHEDRA COLLAR-WIDTH
     local swept="swept-$2.state" options=(--width 2200000 --per-class 200 --widest "$6" --seed "$2" --rounds 1 --growths 0 --cut 0 --collared 0
       --symmetric 0)
@@ -167,7 +167,8 @@ if [[ "${1:-}" == --search ]]; then
   }
   faulty_from hexatlas-leapt-more.hxt 20261204 400 0 hexatlas-faulty.hxt 24 10 10000
   faulty_from hexatlas-faulty.hxt 20261205 87 400 hexatlas-cut.hxt 24 10 10000
-  faulty_from hexatlas-cut.hxt 20261206 60 400 hexatlas.hxt 26 14 60000
+  faulty_from hexatlas-cut.hxt 20261206 60 400 hexatlas-26.hxt 26 14 60000
+  faulty_from hexatlas-26.hxt 20261208 24 400 hexatlas.hxt 26 14 60000
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
