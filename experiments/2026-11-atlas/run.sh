@@ -156,19 +156,21 @@ if [[ "${1:-}" == --search ]]; then
   leap_from hexatlas-more.hxt 20261203 430 500 300 hexatlas-leapt-more.hxt
   # Four times another sweep, then annealing that begins with faults: from the second time on those of faulty cuts, too, from the third
   # time on with boundaries of up to 26 quads. By trial programs that tried several prices and drew beginnings anew after each smaller
-  # mesh. The last two sweeps were cut short after 52 and 49 hexahedra.
-  faulty_from() { # TABLE SEED BOUNDARIES CUT RESULT WIDEST COLLAR-HEXAHEDRA COLLAR-WIDTH
+  # mesh. The last two sweeps had 12 GiB and were cut short after 52 and 49 hexahedra.
+  faulty_from() { # TABLE SEED BOUNDARIES CUT RESULT WIDEST [OPTIONS OF THE COLLARS]
     local swept="swept-$2.state" options=(--width 2200000 --per-class 200 --widest "$6" --seed "$2" --rounds 1 --growths 0 --cut 0 --collared 0
       --symmetric 0)
     "$program" table build -o swept.hxt --state "$swept" --start-from "$1" hexatlas-22.hxt "${options[@]}" --memory 14 --max-hexahedra 56
     "$program" table build -o faulty.hxt --start-from "$swept" swept.hxt "${options[@]}" --max-hexahedra 1 --annealed "$3" --anneal-starts 1 \
-      --anneal-leaps 0 --anneal-faulty 400 --anneal-cut "$4" --collar-hexahedra "$7" --collar-width "$8"
+      --anneal-leaps 0 --anneal-faulty 400 --anneal-cut "$4" "${@:7}"
     "$program" table build -o "$5" --start-from "$1" swept.hxt faulty.hxt "${last[@]/20261126/$2}"
   }
-  faulty_from hexatlas-leapt-more.hxt 20261204 400 0 hexatlas-faulty.hxt 24 10 10000
-  faulty_from hexatlas-faulty.hxt 20261205 87 400 hexatlas-cut.hxt 24 10 10000
-  faulty_from hexatlas-cut.hxt 20261206 60 400 hexatlas-26.hxt 26 14 60000
-  faulty_from hexatlas-26.hxt 20261208 24 400 hexatlas.hxt 26 14 60000
+  narrow=(--collar-hexahedra 10 --collar-width 10000)
+  all_there_are=(--collar-hexahedra 14 --collar-width 60000)
+  faulty_from hexatlas-leapt-more.hxt 20261204 400 0 hexatlas-faulty.hxt 24 "${narrow[@]}"
+  faulty_from hexatlas-faulty.hxt 20261205 87 400 hexatlas-cut.hxt 24 "${narrow[@]}"
+  faulty_from hexatlas-cut.hxt 20261206 60 400 hexatlas-26.hxt 26 "${all_there_are[@]}"
+  faulty_from hexatlas-26.hxt 20261208 24 400 hexatlas.hxt 26 "${all_there_are[@]}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
