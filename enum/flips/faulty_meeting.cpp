@@ -1,21 +1,16 @@
 #include "enum/flips/faulty_meeting.hpp"
 
+#include <deque>
 #include <utility>
 
 #include "enum/core/checks.hpp"
 #include "enum/core/random.hpp"
 #include "enum/flips/matching.hpp"
 #include "enum/flips/sub_ball.hpp"
+#include "enum/flips/symmetric_beam.hpp"
 
 namespace hexatlas::flips {
 namespace {
-
-/// A ball in a cavity, turned so that its canonical boundary vertex v lies at the cavity's vertex
-/// labelling_from(canonical list of the cavity, turn)[v]. There may be millions.
-struct Pairing {
-  FrontId cavity, ball;
-  canon::Flag turn;
-};
 
 canon::Labelling inverse_of(const canon::Labelling& label, int vertices) {
   canon::Labelling result{};
@@ -24,65 +19,118 @@ canon::Labelling inverse_of(const canon::Labelling& label, int vertices) {
   return result;
 }
 
-/// Adds the pairings with one cavity.
-void add_pairings(const Beam& balls, const Beam& collars, FrontId cavity,
-                  const FaultyMeetingOptions& options, FaultyKinds<Pairing>& result) {
-  const State state = collars.state(cavity);
-  const int collar = collars.level_of(cavity);
-  const auto number = balls.store().find(state.code);
-  if (!number) return;
-  const FrontStore::Family& family = balls.store().family(*number);
-  if (collar + family.level_floor + 1 >= options.wanted.below) return;
-  const auto boundary = canon::decode(state.code).value();
+/// Balls in cavities, by kind. A cavity goes by its place in a list of the caller's.
+class Pairings {
+ public:
+  Pairings(const Beam& balls, const FaultyMeetingOptions& options)
+      : balls_(balls), options_(options) {}
+
+  /// Adds the pairings with one cavity. Returns whether there are any.
+  bool add(const State& cavity, int collar, std::size_t place);
+
+  /// Meshes drawn at random. `collar_to(place)`: the hexahedra around the cavity.
+  template <class CollarTo>
+  [[nodiscard]] std::vector<FaultyMesh> drawn(int quads, CollarTo&& collar_to);
+
+ private:
+  /// A ball in a cavity, turned so that its canonical boundary vertex v lies at the cavity's vertex
+  /// labelling_from(canonical list of the cavity, turn)[v]. There may be millions.
+  struct Pairing {
+    std::size_t cavity = 0;
+    FrontId ball;
+    canon::Flag turn;
+  };
+
+  const Beam& balls_;
+  const FaultyMeetingOptions& options_;
+  FaultyKinds<Pairing> kinds_;
+};
+
+bool Pairings::add(const State& cavity, int collar, std::size_t place) {
+  const FaultyWanted& wanted = options_.wanted;
+  const auto number = balls_.store().find(cavity.code);
+  if (!number) return false;
+  const FrontStore::Family& family = balls_.store().family(*number);
+  if (collar + family.level_floor + 1 >= wanted.below) return false;
+  const auto boundary = canon::decode(cavity.code).value();
   canon::CanonicalFlags flags;
   canon::canonical_flags(boundary, flags);
+  bool has_any = false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(flags.count); ++i) {
     const canon::Labelling turn = canon::labelling_from(boundary, flags.flags[i]);
     // The scars of the cavity as the ball sees them.
-    const Scars seen = state.scars.renamed(inverse_of(turn, boundary.vertices()));
-    for (std::uint32_t place = 0; place < family.fronts.size(); ++place) {
-      const StoredFront& ball = family.fronts[place];
+    const Scars seen = cavity.scars.renamed(inverse_of(turn, boundary.vertices()));
+    for (std::uint32_t k = 0; k < family.fronts.size(); ++k) {
+      const StoredFront& ball = family.fronts[k];
       const int hexahedra = collar + ball.level + 1;
-      if (hexahedra >= options.wanted.below) continue;
+      if (hexahedra >= wanted.below) continue;
       const int faults = ball.scars.size_in_common(seen);
-      if (faults > 0 && options.wanted.includes(hexahedra, faults))
-        result.add(faults, hexahedra, {cavity, {*number, place}, flags.flags[i]});
+      if (faults == 0 || !wanted.includes(hexahedra, faults)) continue;
+      kinds_.add(faults, hexahedra, {place, {*number, k}, flags.flags[i]});
+      has_any = true;
     }
   }
+  return has_any;
 }
 
-complex::HexComplex mesh_of(const Beam& balls, const Beam& collars, const Pairing& pairing,
-                            int quads) {
-  const auto cavity = canon::decode(collars.state(pairing.cavity).code).value();
-  return filled(layers_along(collars, pairing.cavity, Growth::inward),
-                layers_along(balls, pairing.ball, Growth::outward),
-                canon::labelling_from(cavity, pairing.turn), pairing.turn.mirrored, quads);
+template <class CollarTo>
+std::vector<FaultyMesh> Pairings::drawn(int quads, CollarTo&& collar_to) {
+  core::Random random(options_.collars.seed);
+  std::vector<FaultyMesh> result;
+  while (result.size() < options_.wanted.count) {
+    const auto next = kinds_.draw(random);
+    if (!next) break;
+    const auto& [cavity, ball, turn] = next->first;
+    const auto boundary = canon::decode(balls_.state(ball).code).value();
+    auto mesh = filled(collar_to(cavity), layers_along(balls_, ball, Growth::outward),
+                       canon::labelling_from(boundary, turn), turn.mirrored, quads);
+    if (SubBall::neighbours_if_complex(mesh, quads))
+      result.push_back({std::move(mesh), next->second});
+  }
+  return result;
 }
 
 }  // namespace
 
 std::vector<FaultyMesh> faulty_meetings(const Beam& balls, const canon::Code& target,
                                         const FaultyMeetingOptions& options) {
-  const auto boundary = canon::decode(target);
-  core::expects(boundary && boundary->is_three_connected(),
-                "only a 3-connected boundary has a filling");
+  (void)boundary_of(target);
   Beam collars(State{target, {}}, options.collars);
-  FaultyKinds<Pairing> kinds;
+  Pairings pairings(balls, options);
+  std::vector<FrontId> cavities;
   for (std::size_t size = 1; size > 0; size = collars.expand_level()) {
     for (const FrontId cavity : collars.frontier())
-      add_pairings(balls, collars, cavity, options, kinds);
+      if (pairings.add(collars.state(cavity), collars.level(), cavities.size()))
+        cavities.push_back(cavity);
     if (collars.level() == options.max_collar) break;
   }
-  core::Random random(options.collars.seed);
-  std::vector<FaultyMesh> result;
-  while (result.size() < options.wanted.count) {
-    const auto drawn = kinds.draw(random);
-    if (!drawn) break;
-    auto mesh = mesh_of(balls, collars, drawn->first, target.quads);
-    if (SubBall::neighbours_if_complex(mesh, target.quads))
-      result.push_back({std::move(mesh), drawn->second});
+  return pairings.drawn(target.quads, [&](std::size_t place) {
+    return layers_along(collars, cavities[place], Growth::inward);
+  });
+}
+
+std::vector<FaultyMesh> faulty_symmetric_meetings(const Beam& balls, const canon::Code& target,
+                                                  const FaultyMeetingOptions& options) {
+  const complex::Quadrangulation boundary = boundary_of(target);
+  Pairings pairings(balls, options);
+  std::deque<SymmetricBeam> searches;  // one for each involution
+  std::vector<std::pair<const SymmetricBeam*, SymmetricBeam::Node>> cavities;
+  for (const Involution& involution : involutions_of(boundary)) {
+    SymmetricBeam& collars = searches.emplace_back(
+        SymmetricFront{front_with(boundary, Scars{}), involution.image}, options.collars);
+    for (bool has_more = true; has_more; has_more = collars.expand_level()) {
+      for (const SymmetricBeam::Node& node : collars.nodes()) {
+        const auto cavity = state_without_symmetry(node.state);
+        if (cavity && pairings.add(*cavity, collars.level(), cavities.size()))
+          cavities.emplace_back(&collars, node);
+      }
+      if (collars.level() == options.max_collar) break;
+    }
   }
-  return result;
+  return pairings.drawn(target.quads, [&](std::size_t place) {
+    const auto& [collars, node] = cavities[place];
+    return collars->layers_to(node);
+  });
 }
 
 }  // namespace hexatlas::flips

@@ -34,4 +34,10 @@ struct FaultyMeetingOptions {
 [[nodiscard]] std::vector<FaultyMesh> faulty_meetings(const Beam& balls, const canon::Code& target,
                                                       const FaultyMeetingOptions& options);
 
+/// The same with collars that an involution of the boundary takes to themselves
+/// (symmetric_beam.hpp), for each involution in turn; the balls need no symmetry. None for a
+/// boundary without an involution.
+[[nodiscard]] std::vector<FaultyMesh> faulty_symmetric_meetings(
+    const Beam& balls, const canon::Code& target, const FaultyMeetingOptions& options);
+
 }  // namespace hexatlas::flips

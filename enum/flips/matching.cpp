@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "enum/core/checks.hpp"
 #include "enum/parallel/parallel_for.hpp"
 
 namespace hexatlas::flips {
@@ -62,6 +63,13 @@ std::optional<Meeting> Matcher::match_one(const Cavity& cavity, int below) const
     return Meeting{cavity.state.code, position.ball, 0, label, is_mirrored, hexahedra};
   }
   return std::nullopt;
+}
+
+complex::Quadrangulation boundary_of(const canon::Code& target) {
+  const auto boundary = canon::decode(target);
+  core::expects(boundary && boundary->is_three_connected(),
+                "only a 3-connected boundary has a filling");
+  return *boundary;
 }
 
 complex::HexComplex filled(const Layers& collar, const Layers& ball, const canon::Labelling& turn,

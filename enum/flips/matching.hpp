@@ -67,6 +67,9 @@ class Matcher {
   std::unordered_map<canon::Code, Fillings> known_;
 };
 
+/// The boundary of a code. Requires one that has fillings: a 3-connected quadrangulation.
+[[nodiscard]] complex::Quadrangulation boundary_of(const canon::Code& target);
+
 /// The collar and a ball in its cavity, whose canonical boundary vertex v lies at the cavity's
 /// turn[v], as a mesh of a boundary with so many quads.
 [[nodiscard]] complex::HexComplex filled(const Layers& collar, const Layers& ball,

@@ -28,19 +28,12 @@ struct SymmetricCavities {
 SymmetricCavities cavities_of(const SymmetricBeam& collars) {
   SymmetricCavities result;
   for (std::size_t i = 0; i < collars.nodes().size(); ++i) {
-    const SymmetricState& state = collars.nodes()[i].state;
-    if (state.code.quads > kMaxStateQuads) continue;
-    result.cavities.push_back({{state.code, state.scars.as<kMaxStateQuads>()}, collars.level()});
+    const auto state = state_without_symmetry(collars.nodes()[i].state);
+    if (!state) continue;
+    result.cavities.push_back({*state, collars.level()});
     result.node.push_back(i);
   }
   return result;
-}
-
-complex::Quadrangulation boundary_of(const canon::Code& target) {
-  const auto boundary = canon::decode(target);
-  core::expects(boundary && boundary->is_three_connected(),
-                "only a 3-connected boundary has a filling");
-  return *boundary;
 }
 
 /// The boundary with each of its involutions that keeps options.apart.

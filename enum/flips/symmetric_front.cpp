@@ -263,6 +263,11 @@ CanonicalSymmetricState canonical_state(const SymmetricFront& front) {
   return result;
 }
 
+std::optional<State> state_without_symmetry(const SymmetricState& state) {
+  if (state.code.quads > kMaxStateQuads) return std::nullopt;
+  return State{state.code, state.scars.as<kMaxStateQuads>()};
+}
+
 SymmetricFront front_of(const SymmetricState& state) {
   const auto boundary = canon::decode(state.code);
   core::expects(boundary.has_value(), "the code of a state can be decoded");

@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "enum/complex/hex_complex.hpp"
@@ -81,6 +82,9 @@ struct SymmetricState {
   [[nodiscard]] std::uint64_t hash(std::uint64_t seed) const noexcept;
   friend auto operator<=>(const SymmetricState&, const SymmetricState&) = default;
 };
+
+/// The state of the front alone; nullopt if its boundary has more than kMaxStateQuads quads.
+[[nodiscard]] std::optional<State> state_without_symmetry(const SymmetricState& state);
 
 /// The state of a front, with the labelling that yields it: of all labellings that attain the code,
 /// the one with the least image, and of these with the least scars. Requires at most

@@ -61,14 +61,15 @@ struct SearchOptions {
   /// degree have no short way back to fewer.
   flips::BeamOptions collars{
       .max_quads = flips::kMaxSearchQuads, .fronts_per_class = 20, .fronts_per_level = 3'000};
-  int max_collar = 12;              ///< hexahedra
-  std::size_t collared = 100;       ///< boundaries per round
-  std::size_t annealed = 0;         ///< boundaries per round
-  std::size_t anneal_starts = 16;   ///< meshes that annealing of one boundary begins with
-  std::size_t anneal_faulty = 100;  ///< others with faults (enum/flips/faulty_meeting.hpp)
-  std::size_t anneal_cut = 100;     ///< others with faults (enum/flips/faulty_cut.hpp)
-  int anneal_rounds = 8;            ///< of annealing, per beginning and leap
-  int anneal_leaps = 120;           ///< to other meshes (enum/flips/annealing.hpp)
+  int max_collar = 12;             ///< hexahedra
+  std::size_t collared = 100;      ///< boundaries per round
+  std::size_t annealed = 0;        ///< boundaries per round
+  std::size_t anneal_starts = 16;  ///< meshes that annealing of one boundary begins with
+  /// Others with faults (enum/flips/faulty_meeting.hpp), and as many with symmetric collars.
+  std::size_t anneal_faulty = 100;
+  std::size_t anneal_cut = 100;  ///< others with faults (enum/flips/faulty_cut.hpp)
+  int anneal_rounds = 8;         ///< of annealing, per beginning and leap
+  int anneal_leaps = 120;        ///< to other meshes (enum/flips/annealing.hpp)
 };
 
 /// How the mesh of a boundary was found, as a word of the census; and the other way round, for

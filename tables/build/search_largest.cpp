@@ -33,8 +33,8 @@ std::size_t per_step(const flips::BeamOptions& collars) {
 /// The same for annealing: about two minutes of two processors at most, or one boundary.
 std::size_t annealed_per_step(const SearchOptions& options) {
   constexpr std::size_t kRounds = 20'000;
-  const std::size_t rounds = (options.anneal_starts + options.anneal_faulty + options.anneal_cut +
-                              static_cast<std::size_t>(options.anneal_leaps)) *
+  const std::size_t rounds = (options.anneal_starts + 2 * options.anneal_faulty +
+                              options.anneal_cut + static_cast<std::size_t>(options.anneal_leaps)) *
                              static_cast<std::size_t>(options.anneal_rounds);
   return std::clamp<std::size_t>(kRounds / rounds, 1, kBoundariesPerStep);
 }
@@ -180,21 +180,28 @@ std::vector<flips::FaultyMesh> TableSearch::faulty_beginnings(const canon::Code&
                                                               int threads) const {
   constexpr int kWorthATry = 5;  // hexahedra, faults at their price
   std::vector<flips::FaultyMesh> result;
+  const auto add = [&](std::vector<flips::FaultyMesh> meshes) {
+    for (auto& mesh : meshes) result.push_back(std::move(mesh));
+  };
+  const auto meetings = [&](const flips::MeetingOptions& strict) {
+    return flips::FaultyMeetingOptions{
+        .collars = strict.collars,
+        .max_collar = strict.max_collar,
+        .wanted = {.below = strict.below, .count = options_.anneal_faulty}};
+  };
   if (options_.anneal_faulty > 0) {
-    const flips::MeetingOptions plain = collars_for(size + kWorthATry, threads);
-    flips::FaultyMeetingOptions options{
-        .collars = plain.collars,
-        .max_collar = plain.max_collar,
-        .wanted = {.below = plain.below, .count = options_.anneal_faulty}};
-    options.collars.seed = seed_for(code);  // others in each round
-    result = flips::faulty_meetings(balls_, code, options);
+    flips::FaultyMeetingOptions plain = meetings(collars_for(size + kWorthATry, threads));
+    plain.collars.seed = seed_for(code);  // others in each round
+    add(flips::faulty_meetings(balls_, code, plain));
+    add(flips::faulty_symmetric_meetings(
+        balls_, code, meetings(symmetric_collars_for(code, size + kWorthATry, threads))));
   }
   if (options_.anneal_cut > 0) {
     flips::FaultyCutOptions options{
         .wanted = {.below = size + kWorthATry, .count = options_.anneal_cut}};
     options.collars.seed = seed_for(code);
     options.collars.threads = threads;
-    for (auto& mesh : flips::faulty_cuts(balls_, code, options)) result.push_back(std::move(mesh));
+    add(flips::faulty_cuts(balls_, code, options));
   }
   return result;
 }

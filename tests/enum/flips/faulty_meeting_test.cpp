@@ -2,17 +2,19 @@
 // ones, no more than asked for and none too large, the same for any number of threads; all kinds
 // that there are may come.
 // Oracle. Faults and the boundary by sets; the kinds for collars of one hexahedron by trying all
-// flips of all balls.
+// flips of all balls. Those with symmetric collars by the search of all collars.
 #include "enum/flips/faulty_meeting.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 #include <vector>
 
 #include "enum/cells/cube.hpp"
 #include "enum/flips/meeting.hpp"
+#include "enum/flips/symmetric_front.hpp"
 #include "tests/enum/flips/faults.hpp"
 #include "tests/enum/flips/small_beam.hpp"
 #include "tests/enum/support.hpp"
@@ -30,6 +32,10 @@ flips::FaultyMeetingOptions meeting_limits(int below, std::size_t count) {
 
 TEST(FaultyMeeting, KnowsItsFaults) {
   support::expect_faults_are_known(meeting_limits, flips::faulty_meetings);
+}
+
+TEST(FaultyMeeting, KnowsItsFaultsWithSymmetricCollars) {
+  support::expect_faults_are_known(meeting_limits, flips::faulty_symmetric_meetings);
 }
 
 /// The ball and one hexahedron more.
@@ -87,6 +93,33 @@ TEST(FaultyMeeting, HasAllKindsThatOneHexahedronMakesOfTheBalls) {
   }
   EXPECT_EQ(compared, 3U);
   EXPECT_GT(with_faults, 10U);
+}
+
+TEST(FaultyMeeting, WithSymmetricCollarsIsOneOfAllMeetings) {
+  const auto beam = support::grown(18, 5, 300, 16);
+  std::size_t with_involution = 0, kinds = 0;
+  for (const auto& code : beam.codes()) {
+    if (code.quads < 14 || code.quads > 16) continue;
+    auto options = meeting_limits(1'000, 1'000'000);
+    options.collars = {.max_quads = 24,
+                       .fronts_per_class = 1'000,
+                       .fronts_per_level = 100'000,
+                       .use_dominance = false};
+    options.max_collar = 2;
+    const auto symmetric = flips::faulty_symmetric_meetings(beam, code, options);
+    if (flips::involutions_of(canon::decode(code).value()).empty()) {
+      EXPECT_TRUE(symmetric.empty()) << canon::to_text(code);
+      continue;
+    }
+    const auto some = support::kinds_of(symmetric);
+    const auto all = support::kinds_of(flips::faulty_meetings(beam, code, options));
+    EXPECT_TRUE(std::includes(all.begin(), all.end(), some.begin(), some.end()))
+        << canon::to_text(code);
+    kinds += some.size();
+    if (++with_involution == 5) break;
+  }
+  EXPECT_EQ(with_involution, 5U);
+  EXPECT_GT(kinds, 10U);
 }
 
 TEST(FaultyMeeting, GivesDifferentOnesForAnotherSeed) {
