@@ -273,7 +273,7 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
          "Balls expanded per number of hexahedra");
   effort("--per-class", search.balls.fronts_per_class, std::size_t{1}, std::size_t{1'000'000},
          "Balls kept per boundary and number of hexahedra");
-  effort("--widest", search.balls.max_quads, 6, flips::kMaxSearchQuads,
+  effort("--widest", search.balls.max_quads, 6, flips::kMaxStateQuads,
          "Quads of the boundaries on the way, at most");
   effort("--max-hexahedra", search.max_hexahedra, 1, 200, "Hexahedra of the balls grown, at most");
   effort("--rounds", search.rounds, 1, 1000,
@@ -317,7 +317,7 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
          "with a symmetry or without, of as many dual classes as there are");
   effort("--anneal-faulty", search.anneal_faulty, std::size_t{0}, std::size_t{100'000},
          "Further meshes that it begins with: balls in collars that do not quite fit, so that the "
-         "mesh breaks the strict rule in a few places");
+         "mesh breaks the strict rule in a few places; and as many with symmetric collars");
   effort("--anneal-cut", search.anneal_cut, std::size_t{0}, std::size_t{100'000},
          "And more such meshes: two balls, side by side, in collars that do not quite fit");
   effort("--anneal-rounds", search.anneal_rounds, 1, 10'000'000,

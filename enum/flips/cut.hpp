@@ -24,7 +24,7 @@ namespace hexatlas::flips {
 struct CutOptions {
   int max_circle = 8;     ///< edges of the circle, at most 10
   int max_interior = 4;   ///< vertices inside the disc, at most 8, and 16 with those of the circle
-  int max_quads = 24;     ///< of the boundaries of the two balls, at most kMaxSearchQuads
+  int max_quads = 24;     ///< of the boundaries of the two balls, at most kMaxStateQuads
   int below = 1 << 14;    ///< only meshes with fewer hexahedra are of interest
   std::size_t count = 1;  ///< of meshes asked for
 };

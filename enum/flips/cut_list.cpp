@@ -74,7 +74,7 @@ CutList::CutList(const BallSource& balls, const canon::Code& target, const CutOp
     : source_(balls), q_(canon::decode(target).value()), graph_(graph_of(q_)), options_(options) {
   core::expects(options.max_circle <= static_cast<int>(kMaxCircle) &&
                     options.max_interior <= static_cast<int>(kMaxInterior) &&
-                    options.max_quads <= kMaxSearchQuads,
+                    options.max_quads <= kMaxStateQuads,
                 "a cut is small");
   for (int length = 4; length <= options_.max_circle; length += 2)
     for (const Circle& circle : circles(graph_, q_.vertices(), length)) list_cuts(circle);

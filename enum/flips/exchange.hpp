@@ -2,11 +2,19 @@
 /// \file
 /// A ball of hexahedra inside a mesh exchanged for a ball of a beam with the same boundary.
 
+#include <algorithm>
+
 #include "enum/complex/hex_complex.hpp"
 #include "enum/flips/beam.hpp"
 #include "enum/flips/sub_ball.hpp"
 
 namespace hexatlas::flips {
+
+/// Quads of the boundaries that a sub-ball passes while it grows, at most: wider ones than the
+/// beam's lie on the way to many that it knows.
+[[nodiscard]] inline int widest_on_the_way(const Beam& balls) noexcept {
+  return std::max(kMaxSearchQuads, balls.options().max_quads);
+}
 
 /// A ball of the beam in place of a sub-ball, and how it is turned.
 struct Fit {

@@ -35,6 +35,7 @@ class FaultyCuts {
  public:
   FaultyCuts(const Beam& balls, const canon::Code& target, const FaultyCutOptions& options)
       : source_(balls),
+        max_quads_(balls.options().max_quads),
         target_(target),
         options_(options),
         collars_(State{target, {}}, options.collars),
@@ -86,6 +87,7 @@ class FaultyCuts {
     CutOptions limits;
     limits.max_circle = options_.max_circle;
     limits.max_interior = options_.max_interior;
+    limits.max_quads = max_quads_;
     limits.below = wanted.below - wanted.price;  // a fault at least
     CutList list(source_, code, limits);
     FaultyKinds<Union> unions;
@@ -135,6 +137,7 @@ class FaultyCuts {
   }
 
   BeamBalls source_;
+  int max_quads_;  // of the two balls' boundaries
   const canon::Code& target_;
   const FaultyCutOptions& options_;
   Beam collars_;

@@ -51,16 +51,17 @@ struct WorkedMesh {
   HexComplex mesh;
   SubBall::Neighbours neighbours = SubBall::neighbours_of(mesh);
 
-  [[nodiscard]] SubBall ball_somewhere(Random& random) const {
-    return {mesh, neighbours, static_cast<std::uint32_t>(random.below(mesh.hexahedra.size()))};
+  [[nodiscard]] SubBall ball_somewhere(Random& random, int max_quads) const {
+    return {mesh, neighbours, static_cast<std::uint32_t>(random.below(mesh.hexahedra.size())),
+            max_quads};
   }
 };
 
 /// The same mesh with its hexahedra in an order in which they can be taken off, with boundaries of
-/// at most kMaxSearchQuads quads; found by growing, from the last one on.
+/// at most kMaxStateQuads quads; found by growing, from the last one on.
 std::optional<HexComplex> in_shelling_order(const WorkedMesh& worked, int tries, Random& random) {
   for (int attempt = 0; attempt < tries; ++attempt) {
-    SubBall ball = worked.ball_somewhere(random);
+    SubBall ball = worked.ball_somewhere(random, kMaxStateQuads);
     while (ball.grow_somewhere(random)) {
     }
     if (ball.cells().size() < worked.mesh.hexahedra.size()) continue;
@@ -80,7 +81,7 @@ std::optional<HexComplex> exchanged_somewhere(const WorkedMesh& worked, int quad
                                               Random& random) {
   constexpr int kTries = 10;
   const HexComplex& mesh = worked.mesh;
-  SubBall ball = worked.ball_somewhere(random);
+  SubBall ball = worked.ball_somewhere(random, widest_on_the_way(balls));
   std::optional<HexComplex> sideways;
   while (ball.grow_somewhere(random)) {
     const int size = static_cast<int>(ball.cells().size());

@@ -44,7 +44,7 @@ struct ReplacementOptions {
     const ReplacementOptions& options);
 
 /// The same mesh with its hexahedra in an order in which they can be taken off, all boundaries
-/// having at most kMaxSearchQuads quads; nullopt if none was found, which proves nothing. Requires
+/// having at most kMaxStateQuads quads; nullopt if none was found, which proves nothing. Requires
 /// a ball under the strict rule. Deterministic. Cost: microseconds per try and hexahedron.
 [[nodiscard]] std::optional<complex::HexComplex> in_shelling_order(const complex::HexComplex& mesh,
                                                                    int tries, std::uint64_t seed);

@@ -21,7 +21,7 @@ namespace hexatlas::flips {
 inline constexpr int kMaxStateQuads = 30;
 /// Those of states with a symmetry, of which there are far fewer, have at most 40.
 inline constexpr int kMaxSymmetricQuads = 40;
-/// What most searches limit themselves to, in memory and time.
+/// What most searches limit themselves to, in memory and time: boundaries to be filled, cavities.
 inline constexpr int kMaxSearchQuads = 26;
 
 /// A set of pairs of the vertices of a boundary with at most kQuads quads.

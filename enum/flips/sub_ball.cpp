@@ -98,8 +98,10 @@ std::optional<SubBall::Neighbours> SubBall::neighbours_if_complex(const complex:
   return result;
 }
 
-SubBall::SubBall(const complex::HexComplex& mesh, const Neighbours& neighbours, std::uint32_t first)
-    : mesh_(mesh), neighbours_(neighbours) {
+SubBall::SubBall(const complex::HexComplex& mesh, const Neighbours& neighbours, std::uint32_t first,
+                 int max_quads)
+    : mesh_(mesh), neighbours_(neighbours), max_quads_(max_quads) {
+  core::expects(max_quads <= kMaxStateQuads, "the boundary of a ball has few quads");
   restart(first);
 }
 
@@ -151,7 +153,7 @@ bool SubBall::grow(std::uint32_t cell) {
     if (neighbours_[cell][f] != kOutside && inside_[neighbours_[cell][f]])
       patch.bits = static_cast<std::uint8_t>(patch.bits | 1U << f);
   const int after = quads_ + 6 - 2 * patch.size();
-  if (after < 6 || after > kMaxSearchQuads || !may_take_in(cell, patch)) return false;
+  if (after < 6 || after > max_quads_ || !may_take_in(cell, patch)) return false;
   quads_ = after;
   take_in(cell);
   return true;
@@ -197,11 +199,11 @@ void SubBall::forget_rim() const {
 }
 
 void SubBall::make_rim() const {
-  constexpr std::size_t kVertices = kMaxSearchQuads + 2;
+  constexpr std::size_t kVertices = kMaxStateQuads + 2;
   forget_rim();
   rim_.at.resize(std::max<std::size_t>(rim_.at.size(), mesh_.vertices), kNewVertex);
-  std::array<Vertex, 4 * kMaxSearchQuads> origin{};
-  std::array<complex::Dart, 4 * kMaxSearchQuads> twin{};
+  std::array<Vertex, 4 * kMaxStateQuads> origin{};
+  std::array<complex::Dart, 4 * kMaxStateQuads> twin{};
   std::array<std::array<complex::Dart, kVertices>, kVertices> dart_between{};
   std::size_t darts = 0;
   for (const std::uint32_t cell : cells_)

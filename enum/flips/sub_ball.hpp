@@ -31,14 +31,16 @@ class SubBall {
 
   /// A single hexahedron. `mesh` is glued of hexahedra along facets, and need not obey the strict
   /// rule; it and `neighbours` outlive the ball.
-  SubBall(const complex::HexComplex& mesh, const Neighbours& neighbours, std::uint32_t first);
+  /// Its boundary will have at most `max_quads` quads, which are at most kMaxStateQuads.
+  SubBall(const complex::HexComplex& mesh, const Neighbours& neighbours, std::uint32_t first,
+          int max_quads = kMaxStateQuads);
 
   /// Begins again with a single hexahedron. The mesh may have changed since the ball was begun.
   /// Cost: that of the ball, not of the mesh.
   void restart(std::uint32_t first);
 
-  /// Adds a hexahedron if the result is a ball under the strict rule whose boundary has at most
-  /// kMaxSearchQuads quads; otherwise says no and changes nothing. Cost: some ten nanoseconds.
+  /// Adds a hexahedron if the result is a ball under the strict rule whose boundary has no more
+  /// quads than it may; otherwise says no and changes nothing. Cost: some ten nanoseconds.
   bool grow(std::uint32_t cell);
   /// Grows by one of the hexahedra that touch: mostly by one with many facets on the ball, which
   /// keeps the boundary short, the more so the greater the weight; by another one if that is
@@ -75,7 +77,7 @@ class SubBall {
     bool is_current = false;
     Front front;
     int vertices = 0;
-    std::array<complex::VertexId, kMaxSearchQuads + 2> vertex{};
+    std::array<complex::VertexId, kMaxStateQuads + 2> vertex{};
     std::vector<complex::Vertex> at;  ///< of each mesh vertex
   };
 
@@ -96,6 +98,7 @@ class SubBall {
   std::vector<complex::VertexId> reached_;  ///< the vertices of the ball
   std::vector<std::uint32_t> first_link_;   ///< of each mesh vertex: place plus 1, 0: not reached
   std::vector<Link> links_;
+  int max_quads_;
   int quads_ = 0;
   std::vector<std::pair<int, std::uint32_t>> candidates_;  ///< of grow_somewhere()
   mutable Rim rim_;

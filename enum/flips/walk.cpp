@@ -93,7 +93,7 @@ Walk::Walk(HexComplex mesh, int quads, const Beam& balls, std::uint64_t seed, in
       balls_(balls),
       random_(seed),
       neighbours_(SubBall::neighbours_of(mesh_)),
-      ball_(mesh_, neighbours_, 0),
+      ball_(mesh_, neighbours_, 0, widest_on_the_way(balls)),
       faults_(faults) {}
 
 /// Grows a ball somewhere. Returns whether it came to that size.

@@ -10,7 +10,10 @@ namespace hexatlas::simplify {
 using complex::VertexId;
 
 Cavity::Cavity(const EditedMesh& mesh, KnownBalls& known, const Pairs* apart)
-    : mesh_(mesh), known_(known), apart_(apart), ball_(mesh.mesh(), mesh.neighbours(), 0) {}
+    : mesh_(mesh),
+      known_(known),
+      apart_(apart),
+      ball_(mesh.mesh(), mesh.neighbours(), 0, flips::kMaxSearchQuads) {}
 
 void Cavity::restart(core::Random& random) {
   weight_ = 1 << random.below(4);

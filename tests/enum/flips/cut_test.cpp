@@ -204,7 +204,7 @@ TEST(Cut, NeedsSmallLimits) {
   const auto code = canon::canonical_form(Quadrangulation::cube()).code;
   for (const flips::CutOptions& options :
        {flips::CutOptions{.max_circle = 12}, flips::CutOptions{.max_interior = 9},
-        flips::CutOptions{.max_quads = flips::kMaxSearchQuads + 1}})
+        flips::CutOptions{.max_quads = flips::kMaxStateQuads + 1}})
     EXPECT_THROW((void)flips::best_cut(source, code, options), core::PreconditionViolated);
 }
 

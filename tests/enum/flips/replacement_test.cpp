@@ -7,10 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <random>
 #include <set>
 #include <vector>
 
+#include "enum/core/checks.hpp"
+#include "enum/core/random.hpp"
 #include "enum/flips/meeting.hpp"
 #include "tests/enum/flips/small_beam.hpp"
 #include "tests/enum/support.hpp"
@@ -151,6 +154,32 @@ TEST(SubBall, GrowsExactlyWhereTheUnionIsAStrictBall) {
   }
   EXPECT_GT(grew, 50U);
   EXPECT_GT(refused, 50U);
+}
+
+TEST(SubBall, HasABoundaryAsWideAsItMay) {
+  const Beam beam = grown(flips::kMaxStateQuads, 1, 30, 14);
+  core::Random random(3);
+  std::map<int, int> widest;  // for each limit
+  for (const auto& code : beam.codes()) {
+    if (code.quads < flips::kMaxStateQuads) continue;
+    const auto mesh = flips::filling_of(beam, beam.fronts_of(code).back().id).mesh;
+    const auto neighbours = SubBall::neighbours_of(mesh);
+    for (const int limit : {20, flips::kMaxStateQuads}) {
+      SubBall ball(mesh, neighbours, 0, limit);
+      while (ball.grow_somewhere(random)) widest[limit] = std::max(widest[limit], ball.quads());
+      std::vector<oracle::Cell> cells;
+      for (const auto inside : ball.cells()) cells.push_back(mesh.hexahedra[inside]);
+      expect_front(ball, cells);
+    }
+  }
+  EXPECT_EQ(widest, (std::map<int, int>{{20, 20}, {flips::kMaxStateQuads, flips::kMaxStateQuads}}));
+}
+
+TEST(SubBall, HasABoundaryWithFewQuads) {
+  const auto mesh = flips::filling_of(grown(6, 1, 1, 0), {}).mesh;
+  const auto neighbours = SubBall::neighbours_of(mesh);
+  EXPECT_THROW((void)SubBall(mesh, neighbours, 0, flips::kMaxStateQuads + 1),
+               core::PreconditionViolated);
 }
 
 TEST(Replacement, MakesMeshesSmallerAndKeepsTheirBoundary) {
