@@ -36,7 +36,8 @@ struct FaultyMeetingOptions {
 
 /// The same with collars that an involution of the boundary takes to themselves
 /// (symmetric_beam.hpp), for each involution in turn; the balls need no symmetry. None for a
-/// boundary without an involution.
+/// boundary without an involution. Of the options collars.use_dominance does nothing here, and
+/// collars.max_quads is at most kMaxSymmetricQuads; a cavity has at most kMaxStateQuads.
 [[nodiscard]] std::vector<FaultyMesh> faulty_symmetric_meetings(
     const Beam& balls, const canon::Code& target, const FaultyMeetingOptions& options);
 
