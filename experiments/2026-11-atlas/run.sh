@@ -156,7 +156,7 @@ if [[ "${1:-}" == --search ]]; then
   leap_from hexatlas-more.hxt 20261203 430 500 300 hexatlas-leapt-more.hxt
   # Four times another sweep, then annealing that begins with faults: from the second time on those of faulty cuts, too, from the third
   # time on with boundaries of up to 26 quads. By trial programs that tried several prices and drew beginnings anew after each smaller
-  # mesh. The last two sweeps had 12 GiB and were cut short after 52 and 49 hexahedra.
+  # mesh. The third and the fourth sweep had 12 GiB and were cut short after 52 and 49 hexahedra.
   faulty_from() { # TABLE SEED BOUNDARIES CUT RESULT WIDEST [OPTIONS OF THE COLLARS]
     local swept="swept-$2.state" options=(--width 2200000 --per-class 200 --widest "$6" --seed "$2" --rounds 1 --growths 0 --cut 0 --collared 0
       --symmetric 0)
@@ -170,7 +170,13 @@ if [[ "${1:-}" == --search ]]; then
   faulty_from hexatlas-leapt-more.hxt 20261204 400 0 hexatlas-faulty.hxt 24 "${narrow[@]}"
   faulty_from hexatlas-faulty.hxt 20261205 87 400 hexatlas-cut.hxt 24 "${narrow[@]}"
   faulty_from hexatlas-cut.hxt 20261206 60 400 hexatlas-26.hxt 26 "${all_there_are[@]}"
-  faulty_from hexatlas-26.hxt 20261208 24 400 hexatlas.hxt 26 "${all_there_are[@]}"
+  faulty_from hexatlas-26.hxt 20261208 24 400 hexatlas-again-26.hxt 26 "${all_there_are[@]}"
+  # Three with longer boundaries. They had 1,000,000 to 1,200,000 fronts per level, 60 to 100 per class and 18 or 19 GiB; the last two were cut short
+  # after 45 and 42 hexahedra. The last step leapt, too.
+  wide_symmetric=(--collar-hexahedra 16 --collar-width 100000 --symmetric-hexahedra 40 --symmetric-widest 40)
+  faulty_from hexatlas-again-26.hxt 20261210 23 400 hexatlas-28.hxt 28 "${wide_symmetric[@]}" --collar-widest 28
+  faulty_from hexatlas-28.hxt 20261211 14 400 hexatlas-30.hxt 30 "${wide_symmetric[@]}" --collar-widest 30
+  faulty_from hexatlas-30.hxt 20261212 11 400 hexatlas.hxt 28 "${wide_symmetric[@]}" --collar-widest 28
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
