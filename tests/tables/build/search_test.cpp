@@ -120,6 +120,27 @@ TEST(TableSearch, IsTheSameForAnyThreadsAndAfterAnyInterruption) {
   EXPECT_EQ(table_of(interrupted), table_of(whole));
 }
 
+TEST(TableSearch, TakesBoundariesAsWideAsStatesHave) {
+  const auto codes = build::three_connected_codes(10);
+  build::SearchOptions options = small(1);
+  options.rounds = 1;
+  options.balls.max_quads = flips::kMaxStateQuads;
+  options.balls.fronts_per_level = 20;
+  options.max_hexahedra = 24;
+  TableSearch whole(codes, options), saved(codes, options);
+  while (!whole.is_finished()) whole.step();
+  int widest = 0;
+  for (const auto& code : whole.balls().codes()) widest = std::max(widest, int{code.quads});
+  EXPECT_EQ(widest, flips::kMaxStateQuads);
+  for (int step = 0; !saved.is_finished(); ++step) {
+    saved.step();
+    if (step % 5 == 0) saved = TableSearch::from_bytes(saved.to_bytes(), codes, options, "saved");
+  }
+  EXPECT_EQ(table_of(saved), table_of(whole));
+  const auto verdict = check::check_table_bytes(table_of(whole));
+  EXPECT_TRUE(verdict.accepted) << verdict.reason;
+}
+
 TEST(TableSearch, MayGoOnForFurtherRounds) {
   const auto codes = build::three_connected_codes(10);
   build::SearchOptions options = small(1);
