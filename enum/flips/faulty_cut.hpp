@@ -33,7 +33,8 @@ struct FaultyCutOptions {
 
 /// Some such meshes of `target` with at least one fault, drawn at random: cavities of each
 /// thickness alike, then unions of each number of faults and of hexahedra alike. Meshes in which
-/// two facets have the same vertices are left out. Requires that `target` is the code of a
+/// two facets have the same vertices are left out. The boundaries of the two balls have no more
+/// quads than those that `balls` grew. Requires that `target` is the code of a
 /// 3-connected quadrangulation with at most kMaxSearchQuads quads, and that `balls` grew from the
 /// single hexahedron. Deterministic for given options, for any number of threads. Cost: some ten
 /// milliseconds per cavity.
