@@ -111,13 +111,11 @@ std::vector<FaultyMesh> faulty_meetings(const Beam& balls, const canon::Code& ta
 
 std::vector<FaultyMesh> faulty_symmetric_meetings(const Beam& balls, const canon::Code& target,
                                                   const FaultyMeetingOptions& options) {
-  const complex::Quadrangulation boundary = boundary_of(target);
   Pairings pairings(balls, options);
   std::deque<SymmetricBeam> searches;  // one for each involution
   std::vector<std::pair<const SymmetricBeam*, SymmetricBeam::Node>> cavities;
-  for (const Involution& involution : involutions_of(boundary)) {
-    SymmetricBeam& collars = searches.emplace_back(
-        SymmetricFront{front_with(boundary, Scars{}), involution.image}, options.collars);
+  for (const SymmetricFront& start : symmetric_fronts(boundary_of(target), {})) {
+    SymmetricBeam& collars = searches.emplace_back(start, options.collars);
     for (bool has_more = true; has_more; has_more = collars.expand_level()) {
       for (const SymmetricBeam::Node& node : collars.nodes()) {
         const auto cavity = state_without_symmetry(node.state);

@@ -36,18 +36,6 @@ SymmetricCavities cavities_of(const SymmetricBeam& collars) {
   return result;
 }
 
-/// The boundary with each of its involutions that keeps options.apart.
-std::vector<SymmetricFront> symmetric_starts(const canon::Code& target,
-                                             const MeetingOptions& options) {
-  const complex::Quadrangulation boundary = boundary_of(target);
-  const auto apart = options.apart.as<kMaxSymmetricQuads>();
-  std::vector<SymmetricFront> result;
-  for (const Involution& involution : involutions_of(boundary))
-    if (apart.renamed(involution.image) == apart)
-      result.push_back({front_with(boundary, apart), involution.image});
-  return result;
-}
-
 std::optional<Filling> symmetric_meeting(const BallSource& balls, const SymmetricFront& start,
                                          const MeetingOptions& options, Matcher& matcher) {
   SymmetricBeam collars(start, options.collars);
@@ -173,7 +161,7 @@ std::optional<Filling> best_symmetric_meeting(const BallSource& balls, const can
                                               const MeetingOptions& options) {
   Matcher matcher(balls, options.below, options.collars.threads);
   std::optional<Filling> best;
-  for (const SymmetricFront& start : symmetric_starts(target, options))
+  for (const SymmetricFront& start : symmetric_fronts(boundary_of(target), options.apart))
     if (auto filling = symmetric_meeting(balls, start, options, matcher)) best = std::move(filling);
   return best;
 }
@@ -197,7 +185,7 @@ std::vector<Filling> varied_meetings(const Beam& balls, const canon::Code& targe
 std::vector<Filling> varied_symmetric_meetings(const Beam& balls, const canon::Code& target,
                                                const MeetingOptions& options) {
   std::vector<Filling> result;
-  for (const SymmetricFront& start : symmetric_starts(target, options)) {
+  for (const SymmetricFront& start : symmetric_fronts(boundary_of(target), options.apart)) {
     SymmetricBeam collars(start, options.collars);
     for (bool has_more = true; has_more; has_more = collars.expand_level()) {
       const SymmetricCavities here = cavities_of(collars);

@@ -220,6 +220,15 @@ std::vector<Involution> involutions_of(const Quadrangulation& boundary) {
   return result;
 }
 
+std::vector<SymmetricFront> symmetric_fronts(const Quadrangulation& boundary, const Scars& scars) {
+  const auto wide = scars.as<kMaxSymmetricQuads>();
+  std::vector<SymmetricFront> result;
+  for (const Involution& involution : involutions_of(boundary))
+    if (wide.renamed(involution.image) == wide)
+      result.push_back({front_with(boundary, wide), involution.image});
+  return result;
+}
+
 void for_each_glueable_orbit(const SymmetricFront& front, int max_quads,
                              const std::function<void(const GluedOrbit&)>& visit) {
   core::expects(max_quads <= kMaxSymmetricQuads, "a symmetric state has at most 40 quads");

@@ -41,6 +41,11 @@ struct SymmetricFront {
   canon::Labelling image{};
 };
 
+/// The boundary with these scars, and with each of its involutions that keeps them. Requires a
+/// 3-connected quadrangulation.
+[[nodiscard]] std::vector<SymmetricFront> symmetric_fronts(const complex::Quadrangulation& boundary,
+                                                           const Scars& scars);
+
 /// A hexahedron and its image: the flips made one after the other, the second one in the boundary
 /// that the first one leaves. Only the first if the hexahedron is its own image.
 struct Orbit {
