@@ -163,6 +163,13 @@ Labelling labelling_from(const Quadrangulation& q, Flag flag) {
   return flag.mirrored ? label<true>(q, flag.dart) : label<false>(q, flag.dart);
 }
 
+Labelling inverse_of(const Labelling& label, int vertices) {
+  Labelling result{};
+  for (std::size_t v = 0; v < static_cast<std::size_t>(vertices); ++v)
+    result[label[v]] = static_cast<Vertex>(v);
+  return result;
+}
+
 CanonicalForm canonical_form(const Quadrangulation& q) {
   CanonicalFlags all;
   canonical_flags(q, all);

@@ -80,6 +80,8 @@ struct CanonicalFlags {
 };
 void canonical_flags(const complex::Quadrangulation& q, CanonicalFlags& result);
 [[nodiscard]] Labelling labelling_from(const complex::Quadrangulation& q, Flag flag);
+/// For each of the labels 0 .. vertices-1 the vertex that has it. Requires that each one has.
+[[nodiscard]] Labelling inverse_of(const Labelling& label, int vertices);
 
 /// The quadrangulation of a word, whose list of quads is the canonical list if the word is a
 /// code. nullopt if the word is not the contour of a quadrangulation of the sphere.

@@ -12,13 +12,6 @@
 namespace hexatlas::flips {
 namespace {
 
-canon::Labelling inverse_of(const canon::Labelling& label, int vertices) {
-  canon::Labelling result{};
-  for (int v = 0; v < vertices; ++v)
-    result[label[static_cast<std::size_t>(v)]] = static_cast<complex::Vertex>(v);
-  return result;
-}
-
 /// Balls in cavities, by kind. A cavity goes by its place in a list of the caller's.
 class Pairings {
  public:
@@ -59,7 +52,7 @@ bool Pairings::add(const State& cavity, int collar, std::size_t place) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(flags.count); ++i) {
     const canon::Labelling turn = canon::labelling_from(boundary, flags.flags[i]);
     // The scars of the cavity as the ball sees them.
-    const Scars seen = cavity.scars.renamed(inverse_of(turn, boundary.vertices()));
+    const Scars seen = cavity.scars.renamed(canon::inverse_of(turn, boundary.vertices()));
     for (std::uint32_t k = 0; k < family.fronts.size(); ++k) {
       const StoredFront& ball = family.fronts[k];
       const int hexahedra = collar + ball.level + 1;

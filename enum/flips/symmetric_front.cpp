@@ -197,9 +197,7 @@ std::vector<Involution> involutions_of(const Quadrangulation& boundary) {
   const int vertices = boundary.vertices();
   // Two canonical labellings differ by an automorphism.
   const canon::Labelling first = canon::labelling_from(boundary, flags.flags[0]);
-  canon::Labelling vertex_of{};
-  for (int v = 0; v < vertices; ++v)
-    vertex_of[first[static_cast<std::size_t>(v)]] = static_cast<Vertex>(v);
+  const canon::Labelling vertex_of = canon::inverse_of(first, vertices);
   std::vector<canon::Labelling> group;
   group.reserve(static_cast<std::size_t>(flags.count));
   for (int i = 0; i < flags.count; ++i)

@@ -11,8 +11,7 @@ std::vector<BoundaryMap> automorphisms_of(const complex::Quadrangulation& bounda
   canon::CanonicalFlags flags;
   canon::canonical_flags(boundary, flags);
   const canon::Labelling label = canon::labelling_from(boundary, flags.flags[0]);
-  std::array<Vertex, complex::kMaxVertices> with_label{};
-  for (std::size_t v = 0; v < vertices; ++v) with_label[label[v]] = static_cast<Vertex>(v);
+  const canon::Labelling with_label = canon::inverse_of(label, boundary.vertices());
   std::vector<BoundaryMap> maps;
   for (int k = 0; k < flags.count; ++k) {
     const canon::Labelling other =

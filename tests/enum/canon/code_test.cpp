@@ -30,6 +30,9 @@ void expect_lawful(const Quadrangulation& q) {
   EXPECT_EQ(again.automorphisms, form.automorphisms);
   EXPECT_EQ(again.rotations, form.rotations);
   EXPECT_FALSE(again.is_mirrored) << "the canonical list has the orientation of its code";
+  const canon::Labelling vertex_of = canon::inverse_of(form.label, q.vertices());
+  for (int v = 0; v < q.vertices(); ++v)
+    EXPECT_EQ(vertex_of[form.label[static_cast<std::size_t>(v)]], v);
   std::set<oracle::Cycle> labelled, canonical;
   for (const auto& quad : q.list_of_quads()) {
     complex::QuadVertices moved{};
