@@ -275,6 +275,11 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
          "Balls kept per boundary and number of hexahedra");
   effort("--widest", search.balls.max_quads, 6, flips::kMaxStateQuads,
          "Quads of the boundaries on the way, at most");
+  effort(
+      "--irregular", search.balls.scars_per_irregularity, 0U, flips::kMaxPerIrregularity,
+      "How much balls with vertices of high degree on their boundary are preferred: each unit of "
+      "the sum of (degree - 4)^2 counts as so many less of the pairs of vertices that a ball "
+      "relates");
   effort("--max-hexahedra", search.max_hexahedra, 1, 200, "Hexahedra of the balls grown, at most");
   effort("--rounds", search.rounds, 1, 1000,
          "Rounds of sweep, exchange, cuts, symmetric collars, collars and annealing");

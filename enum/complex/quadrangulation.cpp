@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bitset>
+#include <numeric>
 #include <string>
 #include <variant>
 
@@ -98,6 +99,12 @@ std::array<std::uint8_t, kMaxVertices> Quadrangulation::degrees() const noexcept
   std::array<std::uint8_t, kMaxVertices> result{};
   for (int d = 0; d < darts(); ++d) ++result[origin_[d]];
   return result;
+}
+
+int Quadrangulation::irregularity() const noexcept {
+  const auto degree = degrees();
+  return std::accumulate(degree.begin(), degree.begin() + vertices_, 0,
+                         [](int sum, int d) { return sum + (d - 4) * (d - 4); });
 }
 
 std::optional<BrokenLaw> Quadrangulation::validate() const {

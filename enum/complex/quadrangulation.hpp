@@ -80,6 +80,9 @@ class Quadrangulation {
   }
   [[nodiscard]] std::vector<QuadVertices> list_of_quads() const;
   [[nodiscard]] std::array<std::uint8_t, kMaxVertices> degrees() const noexcept;
+  /// The sum over the vertices of (degree - 4)^2. Of a 3-connected quadrangulation with n quads it
+  /// is at most 2 (n / 2 - 4)^2 + n, that of a trapezohedron.
+  [[nodiscard]] int irregularity() const noexcept;
 
   /// The first broken law, if any. Cost: linear.
   [[nodiscard]] std::optional<BrokenLaw> validate() const;

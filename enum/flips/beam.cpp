@@ -49,6 +49,8 @@ Beam::Beam(const State& start, const BeamOptions& options)
   core::expects(
       options.fronts_per_class >= 1 && options.fronts_per_level >= 1 && options.threads >= 1,
       "limits of a beam are at least 1");
+  core::expects(options.scars_per_irregularity <= kMaxPerIrregularity,
+                "a unit of irregularity counts as 50 scars at most");
   const FrontId id = store_.add({start, {}, {}, 0}, FrontOrigin::grown);
   store_.set_mark(id, FrontMark::chosen);
   frontier_.push_back(id);
@@ -103,6 +105,18 @@ struct Beam::Waiting {
   FrontId id;
 };
 
+/// What the boundary adds to the scars of its fronts, and a constant.
+std::uint64_t price_of(const canon::Code& code, const BeamOptions& options) {
+  std::uint64_t price = std::uint64_t{options.scars_per_quad} * code.quads;
+  if (options.scars_per_irregularity > 0) {
+    constexpr int kMost = 400;  // more than that of any boundary with kMaxStateQuads quads
+    const int irregularity = canon::decode(code).value().irregularity();
+    price += std::uint64_t{options.scars_per_irregularity} *
+             static_cast<std::uint64_t>(std::max(0, kMost - irregularity));
+  }
+  return price;
+}
+
 /// Those of a shard, with their places in the order of preference of their class.
 std::vector<Beam::Waiting> Beam::waiting(std::size_t shard) const {
   std::vector<Waiting> result;
@@ -110,13 +124,13 @@ std::vector<Beam::Waiting> Beam::waiting(std::size_t shard) const {
   for (std::size_t f = 0; f < families.size(); ++f) {
     if (!store_.may_have_current(families[f])) continue;
     const auto& fronts = families[f].fronts;
-    const std::uint64_t price =
-        options_.scars_per_quad * families[f].code.quads * FrontStore::kScar;
     const std::size_t first = result.size();
     for (std::uint32_t place = 0; place < fronts.size(); ++place)
       if (fronts[place].level == level_ && fronts[place].mark == FrontMark::waiting)
-        result.push_back(
-            {0, store_.rank(fronts[place]) + price, {FrontStore::number_of(shard, f), place}});
+        result.push_back({0, store_.rank(fronts[place]), {FrontStore::number_of(shard, f), place}});
+    if (result.size() == first) continue;
+    const std::uint64_t price = price_of(families[f].code, options_) * FrontStore::kScar;
+    for (std::size_t i = first; i < result.size(); ++i) result[i].rank += price;
     std::sort(result.begin() + static_cast<std::ptrdiff_t>(first), result.end(),
               [](const Waiting& a, const Waiting& b) {
                 return std::tie(a.rank, a.id) < std::tie(b.rank, b.id);

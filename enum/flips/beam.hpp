@@ -29,6 +29,8 @@
 
 namespace hexatlas::flips {
 
+inline constexpr unsigned kMaxPerIrregularity = 50;
+
 struct BeamOptions {
   int max_quads = 22;                 ///< of boundaries grown, at most kMaxStateQuads
   std::size_t fronts_per_class = 20;  ///< per level
@@ -36,9 +38,12 @@ struct BeamOptions {
   std::size_t max_fronts = 60'000'000;  ///< in memory, about 100 bytes each; then no more come
   /// Among the fronts of different classes a quad of the boundary counts as so many scars.
   unsigned scars_per_quad = 0;
-  std::uint64_t seed = 1;     ///< breaks ties among equally many scars
-  int threads = 1;            ///< does not change the result
-  bool use_dominance = true;  ///< off only to test the pruning
+  /// And each unit of its irregularity as so many scars less: boundaries with vertices of high
+  /// degree, and hence many of degree 3, are few among those grown, and the hardest to fill.
+  unsigned scars_per_irregularity = 0;  ///< at most kMaxPerIrregularity
+  std::uint64_t seed = 1;               ///< breaks ties among equally many scars
+  int threads = 1;                      ///< does not change the result
+  bool use_dominance = true;            ///< off only to test the pruning
 };
 
 /// What a beam knows of one state.

@@ -1,5 +1,6 @@
 // Claim. Quadrangulation names each broken law; the cube is one; maps with multiple edges are
-// accepted as darts; is_three_connected() is 3-connectedness.
+// accepted as darts; is_three_connected() is 3-connectedness; irregularity() is the sum of
+// (degree - 4)^2, at most that of a trapezohedron if it is.
 // Oracle. Lists with one fault each, and, for connectivity, the removal of every pair of vertices
 // in all simple quadrangulations with 2..10 quads, themselves generated without hexatlas.
 #include "enum/complex/quadrangulation.hpp"
@@ -148,6 +149,15 @@ TEST(Quadrangulation, ThreeConnectedIfNoTwoVerticesSeparate) {
       const bool expected = oracle::is_three_connected(map);
       EXPECT_EQ(q.is_three_connected(), expected) << canon::to_text(code);
       ++(expected ? yes : no);
+      int irregularity = 0;
+      for (const auto& round : map) {
+        const int degree = static_cast<int>(round.size());
+        irregularity += (degree - 4) * (degree - 4);
+      }
+      EXPECT_EQ(q.irregularity(), irregularity) << canon::to_text(code);
+      if (expected) {
+        EXPECT_LE(2 * irregularity, (n - 8) * (n - 8) + 2 * n);
+      }
       if (n < 10)
         for (const auto& split : oracle::splits_of(map)) add(next, split);
     }

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <map>
 #include <set>
 #include <vector>
@@ -174,6 +175,9 @@ TEST(Beam, OptionsAreChecked) {
   BeamOptions options;
   options.threads = 0;
   EXPECT_THROW(Beam(single(), options), core::PreconditionViolated);
+  options = {};
+  options.scars_per_irregularity = flips::kMaxPerIrregularity + 1;
+  EXPECT_THROW(Beam(single(), options), core::PreconditionViolated);
 }
 
 TEST(Beam, GivesEveryClassItsTurn) {
@@ -192,21 +196,35 @@ TEST(Beam, GivesEveryClassItsTurn) {
   }
 }
 
-TEST(Beam, AQuadCountsAsSoManyScars) {
-  for (const unsigned price : {0U, 3U, 50U}) {
+/// The sum of (degree - 4)^2, the degree of a vertex being the number of its quads.
+int irregularity_of(const canon::Code& code) {
+  std::map<complex::Vertex, int> degree;
+  for (const auto& quad : canon::decode(code).value().list_of_quads())
+    for (const complex::Vertex v : quad) ++degree[v];
+  int sum = 0;
+  for (const auto& [v, d] : degree) sum += (d - 4) * (d - 4);
+  return sum;
+}
+
+TEST(Beam, AQuadAndAUnitOfIrregularityCountAsSoManyScars) {
+  using Prices = std::pair<unsigned, unsigned>;
+  for (const auto& [price, reward] :
+       {Prices{0, 0}, Prices{3, 0}, Prices{50, 0}, Prices{0, 1}, Prices{0, 50}, Prices{2, 3}}) {
     BeamOptions options = unlimited(20);
     options.fronts_per_class = 1;  // then all of a level stay known, and the order is seen
     options.fronts_per_level = 30;
     options.scars_per_quad = price;
+    options.scars_per_irregularity = reward;
     Beam beam(single(), options);
     const auto cost = [&](const State& state) {
-      return state.scars.size() + static_cast<int>(price) * state.code.quads;
+      return state.scars.size() + static_cast<int>(price) * state.code.quads -
+             static_cast<int>(reward) * irregularity_of(state.code);
     };
     std::size_t passed_over = 0;
-    for (int level = 1; level <= 8; ++level) {
+    for (int level = 1; level <= 10; ++level) {
       (void)beam.expand_level();
       const std::set<flips::FrontId> chosen(beam.frontier().begin(), beam.frontier().end());
-      int greatest = 0;
+      int greatest = std::numeric_limits<int>::min();
       for (const auto id : chosen) greatest = std::max(greatest, cost(beam.state(id)));
       for (const auto& code : beam.codes())
         for (const auto& record : beam.fronts_of(code)) {
@@ -215,7 +233,7 @@ TEST(Beam, AQuadCountsAsSoManyScars) {
           EXPECT_GE(cost(beam.state(record.id)), greatest);
         }
     }
-    EXPECT_GT(passed_over, 10U) << price;
+    EXPECT_GT(passed_over, 10U) << price << ' ' << reward;
   }
 }
 
