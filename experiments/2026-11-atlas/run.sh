@@ -159,7 +159,7 @@ if [[ "${1:-}" == --search ]]; then
   # mesh. The third and the fourth sweep had 12 GiB and were cut short after 52 and 49 hexahedra.
   faulty_from() { # TABLE SEED BOUNDARIES CUT RESULT WIDEST [OPTIONS OF THE COLLARS]
     local swept="swept-$2.state" options=(--width 2200000 --per-class 200 --widest "$6" --seed "$2" --rounds 1 --growths 0 --cut 0 --collared 0
-      --symmetric 0)
+      --symmetric 0 --irregular "${preferring:-0}")
     "$program" table build -o swept.hxt --state "$swept" --start-from "$1" hexatlas-22.hxt "${options[@]}" --memory 14 --max-hexahedra 56
     "$program" table build -o faulty.hxt --start-from "$swept" swept.hxt "${options[@]}" --max-hexahedra 1 --annealed "$3" --anneal-starts 1 \
       --anneal-leaps 0 --anneal-faulty 400 --anneal-cut "$4" "${@:7}"
@@ -176,7 +176,13 @@ if [[ "${1:-}" == --search ]]; then
   wide_symmetric=(--collar-hexahedra 16 --collar-width 100000 --symmetric-hexahedra 40 --symmetric-widest 40)
   faulty_from hexatlas-again-26.hxt 20261210 23 400 hexatlas-28.hxt 28 "${wide_symmetric[@]}" --collar-widest 28
   faulty_from hexatlas-28.hxt 20261211 14 400 hexatlas-30.hxt 30 "${wide_symmetric[@]}" --collar-widest 30
-  faulty_from hexatlas-30.hxt 20261212 11 400 hexatlas.hxt 28 "${wide_symmetric[@]}" --collar-widest 28
+  faulty_from hexatlas-30.hxt 20261212 11 400 hexatlas-again-28.hxt 28 "${wide_symmetric[@]}" --collar-widest 28
+  # Three that prefer irregular boundaries. They had 900,000, 1,300,000 and 1,400,000 fronts per level, 40, 20 and 20 per class, and ended after
+  # 47 hexahedra; in the last one a unit counted as one scar and a half.
+  irregular=("${wide_symmetric[@]}" --collar-widest 30)
+  preferring=1 faulty_from hexatlas-again-28.hxt 20261216 10 400 hexatlas-irregular.hxt 28 "${irregular[@]}"
+  preferring=3 faulty_from hexatlas-irregular.hxt 20261217 10 400 hexatlas-more-irregular.hxt 30 "${irregular[@]}"
+  preferring=2 faulty_from hexatlas-more-irregular.hxt 20261218 9 400 hexatlas.hxt 30 "${irregular[@]}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
