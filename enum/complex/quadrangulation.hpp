@@ -81,7 +81,7 @@ class Quadrangulation {
   [[nodiscard]] std::vector<QuadVertices> list_of_quads() const;
   [[nodiscard]] std::array<std::uint8_t, kMaxVertices> degrees() const noexcept;
   /// The sum over the vertices of (degree - 4)^2. Of a 3-connected quadrangulation with n quads it
-  /// is at most 2 (n / 2 - 4)^2 + n, that of a trapezohedron.
+  /// is at most 2 (n / 2 - 4)^2 + n, that of a trapezohedron (docs/theory/proofs/irregularity.md).
   [[nodiscard]] int irregularity() const noexcept;
 
   /// The first broken law, if any. Cost: linear.

@@ -3,8 +3,8 @@
 // Oracle. All simple quadrangulations by vertex splits, kept in a map by canonical code: the same
 // sets of codes and the same groups. The published counts [A007022], [A078666] and those of
 // plantri; Tutte's formula for rooted simple maps; rooted 3-connected counts by substitution into
-// c-nets. Among themselves: the 3-connected ones are those of minimum degree 3 that pass the linear
-// test.
+// c-nets. For irregularities, degrees counted in lists of quads. Among themselves: the 3-connected
+// ones are those of minimum degree 3 that pass the linear test.
 #include "enum/quads/generate.hpp"
 
 #include <gtest/gtest.h>
@@ -124,6 +124,26 @@ const std::map<int, Row> kPublished{{6, {1, 1, 1}},
                                     {20, {58782, 49957, 98148}},
                                     {21, {203269, 171159, 338673}},
                                     {22, {716607, 598102, 1188338}}};
+
+TEST(Generate, NoneIsMoreIrregularThanATrapezohedron) {
+  int at_bound = 0;
+  for (int n = 6; n <= 16; ++n)
+    (void)quads::generate(Class::three_connected, n,
+                          [&](const complex::Quadrangulation& q, int automorphisms, int) {
+                            std::map<complex::Vertex, int> degree;
+                            for (const auto& quad : q.list_of_quads())
+                              for (const complex::Vertex v : quad) ++degree[v];
+                            int irregularity = 0;
+                            for (const auto& [v, d] : degree) irregularity += (d - 4) * (d - 4);
+                            EXPECT_EQ(q.irregularity(), irregularity);
+                            const int bound = (n - 8) * (n - 8) + 2 * n;
+                            EXPECT_LE(2 * irregularity, bound);
+                            if (2 * irregularity < bound) return;
+                            ++at_bound;
+                            EXPECT_EQ(automorphisms, n == 6 ? 48 : 2 * n) << "a trapezohedron";
+                          });
+  EXPECT_EQ(at_bound, 6) << "one for each even number";
+}
 
 TEST(Generate, PublishedCounts) {
   for (const auto& [n, row] : kPublished) {
