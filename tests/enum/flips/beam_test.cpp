@@ -207,18 +207,20 @@ int irregularity_of(const canon::Code& code) {
 }
 
 TEST(Beam, AQuadAndAUnitOfIrregularityCountAsSoManyScars) {
-  using Prices = std::pair<unsigned, unsigned>;
-  for (const auto& [price, reward] :
+  struct Prices {
+    unsigned quad, irregularity;
+  };
+  for (const Prices prices :
        {Prices{0, 0}, Prices{3, 0}, Prices{50, 0}, Prices{0, 1}, Prices{0, 50}, Prices{2, 3}}) {
     BeamOptions options = unlimited(20);
     options.fronts_per_class = 1;  // then all of a level stay known, and the order is seen
     options.fronts_per_level = 30;
-    options.scars_per_quad = price;
-    options.scars_per_irregularity = reward;
+    options.scars_per_quad = prices.quad;
+    options.scars_per_irregularity = prices.irregularity;
     Beam beam(single(), options);
     const auto cost = [&](const State& state) {
-      return state.scars.size() + static_cast<int>(price) * state.code.quads -
-             static_cast<int>(reward) * irregularity_of(state.code);
+      return state.scars.size() + static_cast<int>(prices.quad) * state.code.quads -
+             static_cast<int>(prices.irregularity) * irregularity_of(state.code);
     };
     std::size_t passed_over = 0;
     for (int level = 1; level <= 10; ++level) {
@@ -233,7 +235,7 @@ TEST(Beam, AQuadAndAUnitOfIrregularityCountAsSoManyScars) {
           EXPECT_GE(cost(beam.state(record.id)), greatest);
         }
     }
-    EXPECT_GT(passed_over, 10U) << price << ' ' << reward;
+    EXPECT_GT(passed_over, 10U) << prices.quad << ' ' << prices.irregularity;
   }
 }
 
