@@ -20,6 +20,18 @@ FrontStore::Limits limits_of(const BeamOptions& options) {
   return {options.fronts_per_class, options.max_fronts, options.seed, options.use_dominance};
 }
 
+/// What the boundary adds to the scars of its fronts, and a constant.
+std::uint64_t price_of(const canon::Code& code, const BeamOptions& options) {
+  std::uint64_t price = std::uint64_t{options.scars_per_quad} * code.quads;
+  if (options.scars_per_irregularity > 0) {
+    constexpr int kMost = 400;  // more than that of any boundary with kMaxStateQuads quads
+    const int irregularity = canon::decode(code).value().irregularity();
+    price += std::uint64_t{options.scars_per_irregularity} *
+             static_cast<std::uint64_t>(std::max(0, kMost - irregularity));
+  }
+  return price;
+}
+
 }  // namespace
 
 /// The children of a few parents, and in which order each shard is to see its own.
@@ -104,18 +116,6 @@ struct Beam::Waiting {
   std::uint64_t rank;
   FrontId id;
 };
-
-/// What the boundary adds to the scars of its fronts, and a constant.
-std::uint64_t price_of(const canon::Code& code, const BeamOptions& options) {
-  std::uint64_t price = std::uint64_t{options.scars_per_quad} * code.quads;
-  if (options.scars_per_irregularity > 0) {
-    constexpr int kMost = 400;  // more than that of any boundary with kMaxStateQuads quads
-    const int irregularity = canon::decode(code).value().irregularity();
-    price += std::uint64_t{options.scars_per_irregularity} *
-             static_cast<std::uint64_t>(std::max(0, kMost - irregularity));
-  }
-  return price;
-}
 
 /// Those of a shard, with their places in the order of preference of their class.
 std::vector<Beam::Waiting> Beam::waiting(std::size_t shard) const {

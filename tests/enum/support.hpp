@@ -179,4 +179,14 @@ inline std::string fault_of_filling(const complex::HexComplex& mesh, const canon
   return oracle::is_shelling(cells) ? "" : "is not listed as a shelling backwards";
 }
 
+/// The sum of (degree - 4)^2, the degree of a vertex being the number of its quads.
+inline int irregularity_of(const complex::Quadrangulation& q) {
+  std::map<complex::Vertex, int> degree;
+  for (const auto& quad : q.list_of_quads())
+    for (const complex::Vertex v : quad) ++degree[v];
+  int sum = 0;
+  for (const auto& [v, d] : degree) sum += (d - 4) * (d - 4);
+  return sum;
+}
+
 }  // namespace hexatlas::support

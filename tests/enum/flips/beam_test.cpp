@@ -196,16 +196,6 @@ TEST(Beam, GivesEveryClassItsTurn) {
   }
 }
 
-/// The sum of (degree - 4)^2, the degree of a vertex being the number of its quads.
-int irregularity_of(const canon::Code& code) {
-  std::map<complex::Vertex, int> degree;
-  for (const auto& quad : canon::decode(code).value().list_of_quads())
-    for (const complex::Vertex v : quad) ++degree[v];
-  int sum = 0;
-  for (const auto& [v, d] : degree) sum += (d - 4) * (d - 4);
-  return sum;
-}
-
 TEST(Beam, AQuadAndAUnitOfIrregularityCountAsSoManyScars) {
   struct Prices {
     unsigned quad, irregularity;
@@ -220,7 +210,8 @@ TEST(Beam, AQuadAndAUnitOfIrregularityCountAsSoManyScars) {
     Beam beam(single(), options);
     const auto cost = [&](const State& state) {
       return state.scars.size() + static_cast<int>(prices.quad) * state.code.quads -
-             static_cast<int>(prices.irregularity) * irregularity_of(state.code);
+             static_cast<int>(prices.irregularity) *
+                 support::irregularity_of(canon::decode(state.code).value());
     };
     std::size_t passed_over = 0;
     for (int level = 1; level <= 10; ++level) {

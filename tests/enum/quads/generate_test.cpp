@@ -130,11 +130,7 @@ TEST(Generate, NoneIsMoreIrregularThanATrapezohedron) {
   for (int n = 6; n <= 16; ++n)
     (void)quads::generate(Class::three_connected, n,
                           [&](const complex::Quadrangulation& q, int automorphisms, int) {
-                            std::map<complex::Vertex, int> degree;
-                            for (const auto& quad : q.list_of_quads())
-                              for (const complex::Vertex v : quad) ++degree[v];
-                            int irregularity = 0;
-                            for (const auto& [v, d] : degree) irregularity += (d - 4) * (d - 4);
+                            const int irregularity = support::irregularity_of(q);
                             EXPECT_EQ(q.irregularity(), irregularity);
                             const int bound = (n - 8) * (n - 8) + 2 * n;
                             EXPECT_LE(2 * irregularity, bound);
