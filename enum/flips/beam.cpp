@@ -62,7 +62,7 @@ Beam::Beam(const State& start, const BeamOptions& options)
       options.fronts_per_class >= 1 && options.fronts_per_level >= 1 && options.threads >= 1,
       "limits of a beam are at least 1");
   core::expects(options.scars_per_irregularity <= kMaxPerIrregularity,
-                "a unit of irregularity counts as 50 scars at most");
+                "a unit of irregularity counts as at most kMaxPerIrregularity scars");
   const FrontId id = store_.add({start, {}, {}, 0}, FrontOrigin::grown);
   store_.set_mark(id, FrontMark::chosen);
   frontier_.push_back(id);
