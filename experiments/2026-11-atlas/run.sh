@@ -183,7 +183,7 @@ if [[ "${1:-}" == --search ]]; then
   preferring=1 faulty_from hexatlas-again-28.hxt 20261216 10 400 hexatlas-irregular.hxt 28 "${irregular[@]}"
   preferring=3 faulty_from hexatlas-irregular.hxt 20261217 10 400 hexatlas-more-irregular.hxt 30 "${irregular[@]}"
   preferring=2 faulty_from hexatlas-more-irregular.hxt 20261218 9 400 hexatlas-most-irregular.hxt 30 "${irregular[@]}"
-  preferring=2 faulty_from hexatlas-most-irregular.hxt 20261220 10 400 hexatlas.hxt 30 "${irregular[@]}"
+  preferring=2 faulty_from hexatlas-most-irregular.hxt 20261220 9 400 hexatlas.hxt 30 "${irregular[@]}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
