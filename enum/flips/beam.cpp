@@ -20,14 +20,17 @@ FrontStore::Limits limits_of(const BeamOptions& options) {
   return {options.fronts_per_class, options.max_fronts, options.seed, options.use_dominance};
 }
 
+/// Of the trapezohedron with kMaxStateQuads quads; no boundary, 3-connected as all are, has more
+/// (docs/theory/proofs/irregularity.md).
+constexpr int kMostIrregular =
+    2 * (kMaxStateQuads / 2 - 4) * (kMaxStateQuads / 2 - 4) + kMaxStateQuads;
+
 /// What the boundary adds to the scars of its fronts, and a constant.
 std::uint64_t price_of(const canon::Code& code, const BeamOptions& options) {
   std::uint64_t price = std::uint64_t{options.scars_per_quad} * code.quads;
   if (options.scars_per_irregularity > 0) {
-    constexpr int kMost = 400;  // more than that of any boundary with kMaxStateQuads quads
-    const int irregularity = canon::decode(code).value().irregularity();
-    price += std::uint64_t{options.scars_per_irregularity} *
-             static_cast<std::uint64_t>(std::max(0, kMost - irregularity));
+    const int less = kMostIrregular - canon::decode(code).value().irregularity();
+    price += std::uint64_t{options.scars_per_irregularity} * static_cast<std::uint64_t>(less);
   }
   return price;
 }
