@@ -1,12 +1,13 @@
-# hexatlas_layer(enum/flips HEADERS ... [SOURCES ... [ALONE ...]] [USES enum/core ...] [THIRD_PARTY ...])
+# hexatlas_layer(enum/flips HEADERS ... [SOURCES ... [APART ...]] [USES enum/core ...] [THIRD_PARTY ...])
 #
 # One target per layer, named after its folder (enum/flips -> enum_flips). USES is
 # the link line and must be a subset of the layer's row in layers.txt, so that the
 # file a person reads and the build cannot disagree. Headers of a layer compile
 # alone: those with a source of the same name are its first include (check_layers.py),
 # the others are verified by the target all_verify_interface_header_sets.
-# ALONE: sources whose unnamed namespace has a name of another source's; they keep
-# a translation unit of their own where the others share some (HEXATLAS_UNITY).
+# Sources share translation units (HEXATLAS_UNITY), sixteen in each. APART: those whose unnamed
+# namespace has a name of another's; they share units with each other. Where two of them collide,
+# "|" begins another unit: APART a.cpp b.cpp | c.cpp.
 
 function(hexatlas_check_uses layer)
   file(STRINGS ${PROJECT_SOURCE_DIR}/docs/architecture/layers.txt rows REGEX "^${layer} *[|]")
@@ -22,23 +23,42 @@ function(hexatlas_check_uses layer)
   endforeach()
 endfunction()
 
+# The units of a target: SOURCES are all its sources, APART as above, both as they were added to it.
+# What is alone in its unit is compiled as it is.
 function(hexatlas_share_units target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${HEXATLAS_UNITY} UNITY_BUILD_BATCH_SIZE 16
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;APART")
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${HEXATLAS_UNITY} UNITY_BUILD_MODE GROUP
     UNITY_BUILD_CODE_BEFORE_INCLUDE "// NOLINTNEXTLINE(bugprone-suspicious-include)")
-  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  set(rest ${ARG_SOURCES})
+  list(REMOVE_ITEM rest ${ARG_APART} "")
+  set(unit)
+  set(number 0)
+  foreach(source ${rest} | ${ARG_APART} |)
+    list(LENGTH unit members)
+    if(source STREQUAL "|" OR members EQUAL 16)
+      if(members GREATER 1)
+        set_source_files_properties(${unit} PROPERTIES UNITY_GROUP ${number})
+      endif()
+      math(EXPR number "${number} + 1")
+      set(unit)
+    endif()
+    if(NOT source STREQUAL "|")
+      list(APPEND unit ${source})
+    endif()
+  endforeach()
 endfunction()
 
 function(hexatlas_layer layer)
-  cmake_parse_arguments(ARG "" "" "HEADERS;SOURCES;ALONE;USES;THIRD_PARTY" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "HEADERS;SOURCES;APART;USES;THIRD_PARTY" ${ARGN})
   hexatlas_check_uses(${layer} ${ARG_USES})
   string(REPLACE "/" "_" target ${layer})
   list(TRANSFORM ARG_USES REPLACE "/" "_")
   list(TRANSFORM ARG_HEADERS PREPEND ${PROJECT_SOURCE_DIR}/${layer}/)
   list(TRANSFORM ARG_SOURCES PREPEND ${PROJECT_SOURCE_DIR}/${layer}/)
-  list(TRANSFORM ARG_ALONE PREPEND ${PROJECT_SOURCE_DIR}/${layer}/)
+  list(TRANSFORM ARG_APART PREPEND ${PROJECT_SOURCE_DIR}/${layer}/ REGEX "[.]cpp$")
   if(ARG_SOURCES)
     add_library(${target} STATIC ${ARG_SOURCES})
-    hexatlas_share_units(${target} ${ARG_ALONE})
+    hexatlas_share_units(${target} SOURCES ${ARG_SOURCES} APART ${ARG_APART})
     set(scope PUBLIC)
     set(door_scope PRIVATE)
   else()

@@ -19,6 +19,8 @@ inline constexpr bool kSanitized = false;
 #endif
 
 [[nodiscard]] constexpr int share_of(int cases) { return kSanitized ? cases / 4 : cases; }
+/// Of cases that are listed, not drawn: each one, or each fourth.
+inline constexpr int kStride = kSanitized ? 4 : 1;
 
 [[nodiscard]] constexpr int by_length(int cases, int in_a_long_test) {
   return HEXATLAS_LONG != 0 ? in_a_long_test : cases;

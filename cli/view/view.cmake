@@ -31,4 +31,3 @@ add_custom_command(OUTPUT ${view_build}/view_page_parts.cpp
   COMMENT "Bundling the page of `hexatlas view`" VERBATIM)
 file(MAKE_DIRECTORY ${view_build})
 target_sources(hexatlas PRIVATE ${view_build}/view_page_parts.cpp)
-set_source_files_properties(${view_build}/view_page_parts.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -29,8 +29,8 @@ double shape(const FlippedTets& tets, const Tetrahedron& t) {
     for (std::size_t j = 0; j < i; ++j) longest = std::max(longest, distance(p[i], p[j]));
   const double volume =
       dot(difference(p[1], p[0]), cross(difference(p[2], p[0]), difference(p[3], p[0])));
-  constexpr double kLeast = 1e-30;  // where rounding sees no volume, the exact sign does
-  return std::max(volume / (longest * longest * longest), kLeast);
+  constexpr double kLeastShare = 1e-30;  // where rounding sees no volume, the exact sign does
+  return std::max(volume / (longest * longest * longest), kLeastShare);
 }
 
 /// The best triangulation of the polygon around an edge.

@@ -151,8 +151,8 @@ bool ClosedSurface::can_exchange(Index a, Index b) const {
   const Vector up = cross(ab, ac);
   if (!(std::abs(dot(up, ad)) <= flatness_ * norm(up) * norm(ab))) return false;
   const Vector cd = difference(points_[d], points_[c]);
-  constexpr double kLeast = 1e-6;  // of the area: else a new triangle would have nearly none
-  const double least = kLeast * dot(up, up);
+  constexpr double kLeastShare = 1e-6;  // of the area: else a new triangle would have nearly none
+  const double least = kLeastShare * dot(up, up);
   const double at_a = dot(up, cross(cd, difference(points_[a], points_[c])));
   const double at_b = dot(up, cross(cd, difference(points_[b], points_[c])));
   return dot(up, cross(ad, ab)) > 0 && at_a < -least && at_b > least;

@@ -8,6 +8,6 @@ hexatlas_layer(meshing/hybrid
     lattice_recovery.hpp lattice_surface.cpp lattice_surface.hpp lattice_tets.cpp lattice_tets.hpp
     lattice_vectors.hpp occupancy.cpp occupancy.hpp prism_search.cpp prism_search.hpp quads.cpp
     selection.cpp tet_graph.cpp
-  ALONE changing_tets.cpp lattice.cpp lattice_recovery.cpp tet_graph.cpp lattice_points.cpp lattice_surface.cpp
+  APART changing_tets.cpp lattice.cpp lattice_points.cpp lattice_recovery.cpp lattice_surface.cpp | tet_graph.cpp
   USES enum/core enum/parallel enum/cells enum/complex realize/exact meshing/mesh meshing/quality
     meshing/delaunay)

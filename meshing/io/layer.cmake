@@ -5,6 +5,6 @@ hexatlas_layer(meshing/io
     read_gmsh.cpp read_medit.cpp read_obj.cpp read_off.cpp read_ply.cpp read_points.cpp
     read_vtk.cpp read_vtu.cpp vtu_data.cpp write_files.cpp write_gmsh.cpp write_hxtet.cpp
     write_text.cpp write_vtk.cpp
-  ALONE read_off.cpp read_vtk.cpp
+  APART read_off.cpp read_vtk.cpp
   USES enum/core enum/cells meshing/mesh
   THIRD_PARTY pugixml::pugixml ZLIB::ZLIB)

@@ -3,5 +3,5 @@ hexatlas_layer(meshing/quality
     box_tree.hpp self_meeting.hpp
   SOURCES hexahedron.cpp cells.cpp least_shape.cpp volume.cpp report.cpp verdict.hpp
     box_tree.cpp self_meeting.cpp
-  ALONE least_shape.cpp self_meeting.cpp
+  APART least_shape.cpp | self_meeting.cpp
   USES enum/core enum/cells realize/exact meshing/mesh)

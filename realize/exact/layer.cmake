@@ -6,7 +6,7 @@ hexatlas_layer(realize/exact
     jacobian_coefficients.hpp jacobian_subdivision.cpp
     jacobian_lanes.hpp jacobian_lanes_avx2.cpp jacobian_lanes_body.hpp jacobian_lanes_plain.cpp
     determinant.hpp sphere_expansion.hpp binary.hpp limbs.hpp limb_points.hpp integers.hpp
-  ALONE jacobian.cpp jacobian_lanes_plain.cpp patch_separation.cpp jacobian_subdivision.cpp patch.cpp
+  APART jacobian.cpp patch.cpp | jacobian_subdivision.cpp patch_separation.cpp | jacobian_lanes_plain.cpp
   USES enum/core
   THIRD_PARTY PkgConfig::gmp)
 # Vectors of four doubles; never an argument of a function that is not inlined.

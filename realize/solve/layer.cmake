@@ -6,6 +6,6 @@ hexatlas_layer(realize/solve
     coordinates_repair.hpp coordinates_slack.cpp coordinates_slack.hpp decide.cpp elaborate.cpp
     elaborate_propagation.cpp elaborate_propagation.hpp elaborate_shorten.cpp
     final_polynomial.cpp final_polynomial_hull.cpp final_polynomial_hull.hpp refute.cpp sat.cpp
-  ALONE coordinates_slack.cpp final_polynomial.cpp final_polynomial_hull.cpp
+  APART coordinates_slack.cpp final_polynomial.cpp | final_polynomial_hull.cpp
   USES enum/core enum/complex realize/exact realize/chirotope realize/conditions realize/certificate
   THIRD_PARTY hexatlas_cadical PkgConfig::z3)

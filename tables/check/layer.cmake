@@ -13,5 +13,7 @@ hexatlas_layer(tables/check
     mesh_check.cpp payload.cpp quad_code.cpp rooted_count.cpp read_gmsh.cpp read_legacy_vtk.cpp read_medit.cpp read_mesh.cpp
     read_ply.cpp read_points.cpp read_polygons.cpp read_vtu.cpp scanner.cpp sectors.cpp sha256.cpp signs.cpp table_check.cpp table_layout.cpp
     tetrahedron_facets.cpp vtu_data.cpp
-  ALONE ball.cpp completeness_shapes.cpp hybrid_boundary.cpp hybrid_laws.cpp read_polygons.cpp chirotope_clauses.cpp refutation.cpp delaunay_hull.cpp hybrid_cells.cpp payload.cpp quad_code.cpp read_medit.cpp read_mesh.cpp read_ply.cpp read_points.cpp scanner.cpp sectors.cpp table_layout.cpp
+  APART ball.cpp chirotope_clauses.cpp completeness_shapes.cpp delaunay_hull.cpp hybrid_boundary.cpp
+    hybrid_cells.cpp hybrid_laws.cpp payload.cpp quad_code.cpp read_medit.cpp read_mesh.cpp read_points.cpp
+    refutation.cpp scanner.cpp sectors.cpp | read_ply.cpp read_polygons.cpp table_layout.cpp
   THIRD_PARTY PkgConfig::gmp PkgConfig::zstd ZLIB::ZLIB pugixml::pugixml)

@@ -3,6 +3,6 @@ hexatlas_layer(tables/format
     sectors.hpp sha256.hpp table.hpp
   SOURCES catalogue_read.cpp catalogue_write.cpp cavity.cpp frame.cpp manifest.cpp reader.cpp
     record.cpp sectors.cpp sha256.cpp writer.cpp
-  ALONE reader.cpp record.cpp sectors.cpp sha256.cpp
+  APART reader.cpp | record.cpp sectors.cpp sha256.cpp
   USES enum/core enum/cells enum/complex enum/canon realize/certificate
   THIRD_PARTY PkgConfig::zstd OpenSSL::Crypto nlohmann_json::nlohmann_json)

@@ -107,9 +107,12 @@ const std::vector<BoundText>& samples() {
         limited(spindle(), true, 9, 15, false), limited(wheel, true, 8, 12, false),
         limited(pyramid(), true, 8, 9, false),  limited(wheel, false, 7, 10, false),
         limited(wheel, true, 9, 14, false),     limited(pyramid(), true, 7, 7, false)};
+    std::vector<BoundText> some;  // of each boundary, and always the first two
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      if (i < 2 || i % support::kStride == 0) some.push_back(std::move(texts[i]));
     std::uint64_t seed = 1;
-    for (BoundText& text : texts) text.log = SlowBound(text).search(++seed, kMostLog).value();
-    return texts;
+    for (BoundText& text : some) text.log = SlowBound(text).search(++seed, kMostLog).value();
+    return some;
   }();
   return all;
 }
@@ -251,8 +254,8 @@ TEST(BoundSabotage, AStateIsRefutedByTheRulesThatHold) {
       }
     }
   }
-  EXPECT_GT(held, 500U);
-  EXPECT_GT(failed, 500U);
+  EXPECT_GT(held, std::size_t{support::share_of(500)});
+  EXPECT_GT(failed, std::size_t{support::share_of(500)});
 }
 
 TEST(BoundSabotage, NoPartAndNoContinuationOfALogIsAccepted) {

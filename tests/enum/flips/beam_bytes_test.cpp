@@ -10,6 +10,7 @@
 #include "enum/flips/meeting.hpp"
 #include "enum/flips/replacement.hpp"
 #include "tests/enum/support.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
@@ -92,8 +93,8 @@ TEST(SavedBeam, NeverGivesAMeshThatIsNone) {
   for (int level = 0; level < 9; ++level) (void)beam.expand_level();
   const std::string bytes = beam.to_bytes();
   std::mt19937_64 random(3);
-  std::size_t refused = 0;
-  for (int trial = 0; trial < 100; ++trial) {
+  int refused = 0;
+  for (int trial = 0; trial < support::share_of(100); ++trial) {
     std::string damaged = bytes;
     damaged[random() % damaged.size()] ^= static_cast<char>(1U << random() % 8);
     try {
@@ -105,7 +106,7 @@ TEST(SavedBeam, NeverGivesAMeshThatIsNone) {
       ++refused;
     }
   }
-  EXPECT_GT(refused, 50U);
+  EXPECT_GT(refused, support::share_of(50));
 }
 
 }  // namespace

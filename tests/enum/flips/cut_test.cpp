@@ -18,6 +18,7 @@
 #include "enum/core/errors.hpp"
 #include "tests/enum/flips/ball_unions.hpp"
 #include "tests/enum/support.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
@@ -35,7 +36,7 @@ TEST(Cut, TwoBallsAreGluedExactlyWhereNoOpenPairIsRelatedInBoth) {
   const auto balls = all_balls(grown(18, 10, 300, 6));
   support::Random random(11);
   std::array<int, 7> allowed{}, refused{};  // by quads of the patch
-  for (int trial = 0; trial < 1500; ++trial) {
+  for (int trial = 0; trial < support::share_of(1500); ++trial) {
     const Ball& a = balls[random.below(balls.size())];
     const Ball& b = balls[random.below(balls.size())];
     const Match match = random_match(a, b, std::min<std::size_t>(6, 1 + random.below(8)), random);
@@ -50,8 +51,8 @@ TEST(Cut, TwoBallsAreGluedExactlyWhereNoOpenPairIsRelatedInBoth) {
   // A single quad has no open pair.
   EXPECT_EQ(refused[1], 0);
   for (std::size_t quads = 2; quads <= 6; ++quads) {
-    EXPECT_GT(allowed[quads], quads < 5 ? 10 : 3) << quads;
-    EXPECT_GT(refused[quads], 50) << quads;
+    EXPECT_GT(allowed[quads], support::share_of(quads < 5 ? 10 : 3)) << quads;
+    EXPECT_GT(refused[quads], support::share_of(50)) << quads;
   }
 }
 
@@ -94,7 +95,8 @@ TEST(Cut, TheLeastOfAllUnionsIsFound) {
   EXPECT_GT(least.size(), 300U);
   std::size_t i = 0;
   for (const auto& [code, hexahedra] : least)
-    if (code.quads < 16 || ++i % 16 == 0) expect_least(source, code, options, hexahedra);
+    if (code.quads < 16 || ++i % (16 * support::kStride) == 0)
+      expect_least(source, code, options, hexahedra);
   // Of the other boundaries none is a union.
   auto classes = support::four_cycle_class();
   std::size_t others = 0;

@@ -11,6 +11,7 @@
 
 #include "enum/flips/quad_flip.hpp"
 #include "tests/enum/support.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
@@ -121,7 +122,7 @@ void expect_flip(const Quadrangulation& q, Flip flip) {
 TEST(Flip, ReplacesThePatchAndIsUndoneByItsInverse) {
   // All names, patches or not, in 3-connected quadrangulations met on random walks.
   support::Random random(29);
-  for (int walk = 0; walk < 12; ++walk) {
+  for (int walk = 0; walk < support::share_of(12); ++walk) {
     Quadrangulation q = Quadrangulation::cube();
     for (int step = 0; step < 25; ++step) {
       for (int bottom = 0; bottom < q.quads(); ++bottom)

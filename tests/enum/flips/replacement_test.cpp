@@ -17,6 +17,7 @@
 #include "enum/flips/meeting.hpp"
 #include "tests/enum/flips/small_beam.hpp"
 #include "tests/enum/support.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
@@ -68,9 +69,9 @@ flips::Scars scars_outside(const SubBall& ball, const canon::Labelling& label) {
 TEST(Exchange, IsAllowedExactlyWhereScarsAreDisjoint) {
   const Beam beam = grown(18, 30, 3'000, 26);
   std::mt19937_64 random(1);
-  std::size_t allowed = 0, refused = 0;
+  int allowed = 0, refused = 0;
   const auto codes = beam.codes();
-  for (int trial = 0; trial < 150; ++trial) {
+  for (int trial = 0; trial < support::share_of(150); ++trial) {
     const auto records = beam.fronts_of(codes[random() % codes.size()]);
     const auto mesh = flips::filling_of(beam, records[random() % records.size()].id).mesh;
     const auto neighbours = SubBall::neighbours_of(mesh);
@@ -97,8 +98,8 @@ TEST(Exchange, IsAllowedExactlyWhereScarsAreDisjoint) {
       ++(expected ? allowed : refused);
     }
   }
-  EXPECT_GT(allowed, 100U);
-  EXPECT_GT(refused, 100U);
+  EXPECT_GT(allowed, support::share_of(100));
+  EXPECT_GT(refused, support::share_of(100));
 }
 
 /// The boundary and the related pairs of its vertices, by sets.

@@ -1,7 +1,7 @@
 hexatlas_tests(meshing_delaunay fast
   SOURCES degenerate_test.cpp digging_test.cpp four_facets_test.cpp laws_test.cpp queries_test.cpp space_order_test.cpp
     triangulation_test.cpp weighted_test.cpp
-  ALONE four_facets_test.cpp weighted_test.cpp
+  APART four_facets_test.cpp weighted_test.cpp
   USES meshing_delaunay realize_exact)
 hexatlas_tests(meshing_delaunay long
   SOURCES large_test.cpp many_threads_test.cpp
@@ -12,6 +12,6 @@ hexatlas_tests(meshing_delaunay threads
 if(TARGET hexatlas_cgal)
   hexatlas_tests(meshing_delaunay_cgal fast
     SOURCES cgal_test.cpp cgal_weighted_test.cpp
-    ALONE cgal_test.cpp cgal_weighted_test.cpp
+    APART cgal_test.cpp | cgal_weighted_test.cpp
     USES meshing_delaunay hexatlas_cgal)
 endif()

@@ -16,6 +16,7 @@
 #include <random>
 
 #include "enum/core/errors.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
@@ -109,7 +110,7 @@ TEST(Jacobian, VerdictOfEachDepth) {
   std::mt19937_64 random(20261105);
   std::array<int, 3> seen{};
   int refuted_inside = 0;
-  for (int trial = 0; trial < 1500; ++trial) {
+  for (int trial = 0; trial < support::share_of(1500); ++trial) {
     const IntegerHexahedron p = moved_cube(8, 2 + trial % 5, random);
     const Hexahedron h = scaled(p, 0);
     const bool corners_positive = positive_on_grid(p, 1);
@@ -134,9 +135,9 @@ TEST(Jacobian, VerdictOfEachDepth) {
       ASSERT_EQ(*filtered, verdict);
     }
   }
-  EXPECT_GT(seen[0], 150);
-  EXPECT_GT(seen[1], 150);
-  EXPECT_GT(refuted_inside, 3);
+  EXPECT_GT(seen[0], support::share_of(150));
+  EXPECT_GT(seen[1], support::share_of(150));
+  EXPECT_GT(refuted_inside, support::share_of(3));
 }
 
 /// A sheared cube of side 2^50 and height h has the determinant h 2^100 everywhere.

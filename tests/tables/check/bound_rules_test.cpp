@@ -18,6 +18,7 @@
 #include "tables/check/bound_sphere.hpp"
 #include "tables/check/quad_code.hpp"
 #include "tables/format/table.hpp"
+#include "tests/share.hpp"
 #include "tests/shipped.hpp"
 
 namespace hexatlas::check {
@@ -260,7 +261,7 @@ std::vector<KnownMesh> some_meshes(std::size_t count, std::uint64_t seed) {
 
 TEST(BoundRules, NoStateOfAKnownBallIsRefuted) {
   std::uint64_t seed = 1;
-  for (const KnownMesh& mesh : some_meshes(40, 1)) {
+  for (const KnownMesh& mesh : some_meshes(support::share_of(40), 1)) {
     Walk(mesh, true, ++seed).run();
     Walk(mesh, false, ++seed).run();
     if (HasFailure()) return;
@@ -270,21 +271,21 @@ TEST(BoundRules, NoStateOfAKnownBallIsRefuted) {
 TEST(BoundRules, NoStateOfAPinchedComplexIsRefuted) {
   std::mt19937_64 random(2);
   std::size_t pinched = 0;
-  for (KnownMesh& mesh : some_meshes(30, 2)) {
+  for (KnownMesh& mesh : some_meshes(support::share_of(30), 2)) {
     const std::size_t own = pinch(mesh, random);
     pinched += own;
     if (own == 0) continue;
     for (int round = 0; round < 3; ++round) Walk(mesh, false, random()).run();
     if (HasFailure()) return;
   }
-  EXPECT_GT(pinched, 20U);
+  EXPECT_GT(pinched, std::size_t{support::share_of(20)});
 }
 
 /// Whatever the order of the facets, as long as it depends on nothing but the path.
 TEST(BoundRules, JustTheLeastImageIsNotRefutedBySymmetry) {
   std::size_t symmetric = 0;
   std::size_t refuted = 0;
-  for (const KnownMesh& mesh : some_meshes(300, 3)) {
+  for (const KnownMesh& mesh : some_meshes(support::share_of(300), 3)) {
     const std::vector<BoundAutomorphism> automorphisms = automorphisms_of(mesh.quads);
     EXPECT_EQ(automorphisms.size(), canonical_code(mesh.quads)->automorphisms);
     if (automorphisms.size() == 1) continue;
@@ -306,7 +307,7 @@ TEST(BoundRules, JustTheLeastImageIsNotRefutedBySymmetry) {
     }
     refuted += by_path.size() - 1;
   }
-  EXPECT_GT(symmetric, 10U);
+  EXPECT_GT(symmetric, std::size_t{support::share_of(10)});
   EXPECT_GT(refuted, 10U);
 }
 
