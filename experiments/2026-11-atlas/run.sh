@@ -183,7 +183,10 @@ if [[ "${1:-}" == --search ]]; then
   preferring=1 faulty_from hexatlas-again-28.hxt 20261216 10 400 hexatlas-irregular.hxt 28 "${irregular[@]}"
   preferring=3 faulty_from hexatlas-irregular.hxt 20261217 10 400 hexatlas-more-irregular.hxt 30 "${irregular[@]}"
   preferring=2 faulty_from hexatlas-more-irregular.hxt 20261218 9 400 hexatlas-most-irregular.hxt 30 "${irregular[@]}"
-  preferring=2 faulty_from hexatlas-most-irregular.hxt 20261220 9 400 hexatlas.hxt 30 "${irregular[@]}"
+  preferring=2 faulty_from hexatlas-most-irregular.hxt 20261220 9 400 hexatlas-irregular-30.hxt 30 "${irregular[@]}"
+  # Two with more fronts of shorter boundaries: 4,000,000 per level, 20 per class, up to 47 hexahedra.
+  preferring=2 faulty_from hexatlas-irregular-30.hxt 20261223 9 400 hexatlas-wide-28.hxt 28 "${irregular[@]}"
+  preferring=4 faulty_from hexatlas-wide-28.hxt 20261224 9 400 hexatlas.hxt 28 "${irregular[@]}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
