@@ -1,11 +1,10 @@
 # What CLI11 reads. It is costly to compile: once, and without much optimization.
-set(command_line_sources
+add_library(command_line OBJECT
   cli/command_line.cpp cli/command_line_enum.cpp cli/command_line_mesh.cpp cli/command_line_view.cpp)
-add_library(command_line OBJECT ${command_line_sources})
-hexatlas_share_units(command_line SOURCES ${command_line_sources})
+hexatlas_share_units(command_line)
 target_compile_options(command_line PRIVATE -O1)
 
-set(program_sources
+add_executable(hexatlas
   cli/boundary_input.cpp cli/cell_input.cpp cli/check.cpp cli/check_hybrid.cpp cli/code.cpp
   cli/completeness.cpp cli/enum_hexmeshes.cpp
   cli/enum_lists.cpp cli/enum_quadrangulations.cpp cli/enum_shellings.cpp cli/enum_triangulations.cpp
@@ -15,11 +14,10 @@ set(program_sources
   cli/realize.cpp cli/reproduce.cpp cli/simplify.cpp cli/table_bounds.cpp cli/table_build.cpp cli/table_by_quads.cpp
   cli/table_check.cpp cli/table_path.cpp cli/table_read.cpp cli/table_write.cpp cli/child_process.cpp
   cli/view.cpp cli/view_page.cpp cli/view_picture.cpp)
-add_executable(hexatlas ${program_sources})
-include(${CMAKE_CURRENT_SOURCE_DIR}/cli/view/view.cmake)
-hexatlas_share_units(hexatlas SOURCES ${program_sources}
+hexatlas_share_units(hexatlas
   APART cli/child_process.cpp cli/enum_hexmeshes.cpp cli/enum_quadrangulations.cpp cli/mesh_delaunay.cpp |
     cli/mesh_quads.cpp)
+include(${CMAKE_CURRENT_SOURCE_DIR}/cli/view/view.cmake)
 foreach(target command_line hexatlas)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${target} PRIVATE enum_hexes enum_quads meshing_delaunay meshing_hexahedrize meshing_hybrid

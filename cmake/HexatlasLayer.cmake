@@ -23,13 +23,13 @@ function(hexatlas_check_uses layer)
   endforeach()
 endfunction()
 
-# The units of a target: SOURCES are all its sources, APART as above, both as they were added to it.
-# What is alone in its unit is compiled as it is.
+# hexatlas_share_units(TARGET APART ...): the units of the sources that the target has by now. APART as
+# above, with the names by which they were added. What is alone in its unit is compiled as it is.
 function(hexatlas_share_units target)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;APART")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "APART")
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${HEXATLAS_UNITY} UNITY_BUILD_MODE GROUP
     UNITY_BUILD_CODE_BEFORE_INCLUDE "// NOLINTNEXTLINE(bugprone-suspicious-include)")
-  set(rest ${ARG_SOURCES})
+  get_target_property(rest ${target} SOURCES)
   list(REMOVE_ITEM rest ${ARG_APART} "")
   set(unit)
   set(number 0)
@@ -58,7 +58,7 @@ function(hexatlas_layer layer)
   list(TRANSFORM ARG_APART PREPEND ${PROJECT_SOURCE_DIR}/${layer}/ REGEX "[.]cpp$")
   if(ARG_SOURCES)
     add_library(${target} STATIC ${ARG_SOURCES})
-    hexatlas_share_units(${target} SOURCES ${ARG_SOURCES} APART ${ARG_APART})
+    hexatlas_share_units(${target} APART ${ARG_APART})
     set(scope PUBLIC)
     set(door_scope PRIVATE)
   else()

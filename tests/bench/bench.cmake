@@ -3,7 +3,7 @@ find_package(benchmark REQUIRED)
 set(bench_sources balls_bench.cpp exact_bench.cpp hexatlas_bench.cpp hexes_bench.cpp hybrid_bench.cpp quads_bench.cpp)
 list(TRANSFORM bench_sources PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
 add_executable(hexatlas_bench ${bench_sources})
-hexatlas_share_units(hexatlas_bench SOURCES ${bench_sources})
+hexatlas_share_units(hexatlas_bench)
 target_include_directories(hexatlas_bench PRIVATE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(hexatlas_bench PRIVATE HEXATLAS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 target_link_libraries(hexatlas_bench PRIVATE
