@@ -14,7 +14,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 reports overlapping copies inside std::string that are not there (GCC bug 105651).
   add_compile_options(-Wno-restrict)
 else()
-  add_compile_options(-Wno-missing-braces)
+  add_compile_options(-Wreserved-identifier -Wno-missing-braces)
 endif()
 add_compile_options(-Wno-sign-conversion)  # indices are unsigned by type, arrays by size_t
 if(HEXATLAS_WERROR)

@@ -12,6 +12,8 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(gmp REQUIRED IMPORTED_TARGET gmpxx gmp)
 pkg_check_modules(nauty REQUIRED IMPORTED_TARGET nauty)
+# Its headers say _Thread_local, which is C; C++ code spells it differently.
+target_compile_definitions(PkgConfig::nauty INTERFACE _Thread_local=__thread)
 pkg_check_modules(z3 REQUIRED IMPORTED_TARGET z3)
 pkg_check_modules(sqlite REQUIRED IMPORTED_TARGET sqlite3)
 # CaDiCaL comes without a description of its own.

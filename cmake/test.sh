@@ -106,8 +106,8 @@ names_labelled() { # PRESET LABEL
     sed -n 's/^ *Test *#[0-9]*: //; T; s/  # GetParam() = .*//; p' | sort
 }
 
-# The libraries and the program: for `all` the units that build/release compiles, mostly several
-# files at once, since most of the time goes into the headers; otherwise file by file.
+# The libraries and the program: for `all` the units that build/release compiles, which are joined
+# further, since most of the time goes into the headers; otherwise file by file.
 own_sources() { # all|deep|changed
   local folders=(enum realize tables meshing cli)
   case $1 in
@@ -123,18 +123,37 @@ own_sources() { # all|deep|changed
   esac
 }
 
+# The units of a joined one are looked at one by one if something is found, which is theirs to answer for:
+# unnamed namespaces that collide, or headers that do, are no fault of theirs.
+tidy_unit() { # UNIT, or JOINED<tab>UNIT<tab>UNIT...
+  local units unit failed=0
+  IFS=$'\t' read -ra units <<<"$1"
+  if ((${#units[@]} > 1)); then
+    run_tidy build/joined "${units[0]}" >/dev/null 2>&1 && return
+    units=("${units[@]:1}")
+  fi
+  for unit in "${units[@]}"; do run_tidy "$tidy_commands" "$unit" || failed=1; done
+  return $failed
+}
+
+run_tidy() { # FOLDER FILE
+  clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option --checks="$tidy_checks" -p "$1" "$2"
+}
+
 tidy() { # all|deep|changed
-  local files checks=() commands=build/release
+  local units
+  export tidy_commands=build/release tidy_checks='-clang-analyzer-*'
+  export -f tidy_unit run_tidy
+  units=$(own_sources "$1") || return 1
   if [[ $1 == all ]]; then
-    checks=(--checks='-clang-analyzer-*')
+    units=$(python3 cmake/joined_units.py build/release build/joined <<<"$units") || return 1
   else
-    commands=build/apart
+    tidy_commands=build/apart tidy_checks=
     cmake --preset release -B build/apart -DHEXATLAS_UNITY=OFF || return 1
   fi
-  files=$(own_sources "$1") || return 1
+  # shellcheck disable=SC2016  # for the inner shell
   xargs --no-run-if-empty --delimiter='\n' --max-procs="$jobs" --max-args=1 \
-    clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option "${checks[@]}" \
-    -p "$commands" <<<"$files"
+    bash -c 'tidy_unit "$1"' - <<<"$units"
 }
 
 step packages bash cmake/packages.sh test

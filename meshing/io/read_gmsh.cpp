@@ -84,7 +84,7 @@ class GmshReader {
       } else if (is_skipped(section)) {
         scanner_.move_to(end_of(section));
       } else {
-        scanner_.fail("unknown section " + quoted(section));
+        scanner_.fail("unknown section " + in_quotes(section));
       }
       expect(end_of(section));
     }
@@ -107,7 +107,7 @@ class GmshReader {
 
   void expect(const std::string& keyword) {
     const std::string_view word = scanner_.word(keyword.c_str());
-    if (word != keyword) scanner_.fail(keyword + " is expected, not " + quoted(word));
+    if (word != keyword) scanner_.fail(keyword + " is expected, not " + in_quotes(word));
   }
 
   void read_format() {
@@ -115,7 +115,7 @@ class GmshReader {
     const std::string_view version = scanner_.word("the version");
     is_version_4_ = version == "4.1";
     if (!is_version_4_ && version != "2" && version != "2.1" && version != "2.2")
-      scanner_.fail("unsupported version " + quoted(version) + "; save as 4.1 or 2.2");
+      scanner_.fail("unsupported version " + in_quotes(version) + "; save as 4.1 or 2.2");
     const std::int64_t encoding = scanner_.integer("0 (ASCII) or 1 (binary)");
     if (encoding != 0 && encoding != 1)
       scanner_.fail("0 (ASCII) or 1 (binary) is expected, not " + std::to_string(encoding));

@@ -70,7 +70,7 @@ void read_header(Scanner& scanner) {
   const std::string_view keyword = scanner.word("MeshVersionFormatted");
   if (keyword == "MeshVersionUnformatted") scanner.fail("binary MEDIT file; save as ASCII");
   if (keyword != "MeshVersionFormatted")
-    scanner.fail("MeshVersionFormatted is expected, not " + quoted(keyword));
+    scanner.fail("MeshVersionFormatted is expected, not " + in_quotes(keyword));
   const std::int64_t version = scanner.integer("the version");
   if (version < 1 || version > 4) scanner.fail("unsupported version " + std::to_string(version));
 }
@@ -124,9 +124,9 @@ void read_medit(std::string_view bytes, MeshBuilder& builder) {
   while (true) {
     const std::string_view keyword = scanner.word("a section or End");
     if (keyword == "End") break;
-    if (!seen.insert(keyword).second) scanner.fail("second section " + quoted(keyword));
+    if (!seen.insert(keyword).second) scanner.fail("second section " + in_quotes(keyword));
     if (keyword != "Dimension" && !seen.contains("Dimension"))
-      scanner.fail("Dimension is expected before " + quoted(keyword));
+      scanner.fail("Dimension is expected before " + in_quotes(keyword));
     if (keyword == "Dimension") {
       read_dimension(scanner);
     } else if (keyword == "Vertices") {
@@ -138,7 +138,7 @@ void read_medit(std::string_view bytes, MeshBuilder& builder) {
     } else if (keyword == "AngleOfCornerBound") {
       static_cast<void>(scanner.real("an angle"));
     } else {
-      scanner.fail("unknown section " + quoted(keyword));
+      scanner.fail("unknown section " + in_quotes(keyword));
     }
   }
   if (!scanner.at_end()) scanner.fail("text after the keyword End");

@@ -52,7 +52,7 @@ mesh::Index read_corner(const Scanner& scanner, std::string_view corner,
   const std::size_t second = rest.find('/');
   const bool has_normal = second != std::string_view::npos;
   const auto check = [&](std::string_view number) {
-    if (scanner.to_integer(number) == 0) scanner.fail("index 0 in " + quoted(corner));
+    if (scanner.to_integer(number) == 0) scanner.fail("index 0 in " + in_quotes(corner));
   };
   if (!has_normal || second > 0) check(rest.substr(0, second));
   if (has_normal) check(rest.substr(second + 1));
@@ -75,7 +75,7 @@ void read_obj(std::string_view bytes, MeshBuilder& builder) {
         corners.push_back(read_corner(scanner, words[i], builder.point_count()));
       builder.add_cell(polygon_type(corners.size()), corners, scanner.line());
     } else if (!is_ignored(words[0])) {
-      scanner.fail("unknown record " + quoted(words[0]));
+      scanner.fail("unknown record " + in_quotes(words[0]));
     }
   }
 }

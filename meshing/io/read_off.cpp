@@ -25,7 +25,7 @@ void check_colour(const Scanner& scanner, const Words& words, std::size_t first)
 void read_header(Scanner& scanner, Words& words) {
   next_line(scanner, words, "the keyword OFF");
   if (words[0] != "OFF" && words[0] != "COFF")
-    scanner.fail("the keyword OFF or COFF is expected, not " + quoted(words[0]));
+    scanner.fail("the keyword OFF or COFF is expected, not " + in_quotes(words[0]));
   if (words.size() > 1 && words[1] == "BINARY") scanner.fail("binary OFF; save as ASCII");
   words.erase(words.begin());
   if (words.empty()) next_line(scanner, words, "the counts");

@@ -107,7 +107,7 @@ class PlyReader {
     Words words;
     next_line(words);
     if (words.size() != 1 || words[0] != "ply")
-      scanner_.fail("'ply' is expected, not " + quoted(words[0]));
+      scanner_.fail("'ply' is expected, not " + in_quotes(words[0]));
     next_line(words);
     read_format(words);
     while (true) {
@@ -119,7 +119,7 @@ class PlyReader {
       } else if (words[0] == "property") {
         read_property(words);
       } else {
-        scanner_.fail("unknown keyword " + quoted(words[0]));
+        scanner_.fail("unknown keyword " + in_quotes(words[0]));
       }
     }
     if (!has_vertices()) scanner_.fail("there is no element vertex");
@@ -136,8 +136,9 @@ class PlyReader {
     if (words[1] == "binary_big_endian")
       scanner_.fail("big-endian binary file; save as binary_little_endian or ascii");
     is_binary_ = words[1] == "binary_little_endian";
-    if (!is_binary_ && words[1] != "ascii") scanner_.fail("unknown encoding " + quoted(words[1]));
-    if (words[2] != "1.0") scanner_.fail("unsupported version " + quoted(words[2]));
+    if (!is_binary_ && words[1] != "ascii")
+      scanner_.fail("unknown encoding " + in_quotes(words[1]));
+    if (words[2] != "1.0") scanner_.fail("unsupported version " + in_quotes(words[2]));
   }
 
   void read_element(const Words& words) {
@@ -151,7 +152,7 @@ class PlyReader {
   [[nodiscard]] Scalar scalar_of(std::string_view name) const {
     const auto found = std::find_if(kScalars.begin(), kScalars.end(),
                                     [&](const NamedScalar& each) { return each.name == name; });
-    if (found == kScalars.end()) scanner_.fail("unknown type " + quoted(name));
+    if (found == kScalars.end()) scanner_.fail("unknown type " + in_quotes(name));
     return found->scalar;
   }
 
@@ -164,13 +165,14 @@ class PlyReader {
     Property property{words.back(), scalar_of(words[words.size() - 2]), {}};
     if (is_list) {
       property.list_counter = scalar_of(words[2]);
-      if (!is_integer(*property.list_counter)) scanner_.fail("list counted by " + quoted(words[2]));
+      if (!is_integer(*property.list_counter))
+        scanner_.fail("list counted by " + in_quotes(words[2]));
     }
     Element& element = elements_.back();
     if (element.name == "vertex" && axis_of(property)) {
-      if (is_list) scanner_.fail("coordinate " + quoted(property.name) + " is a list");
+      if (is_list) scanner_.fail("coordinate " + in_quotes(property.name) + " is a list");
       for (const Property& each : element.properties)
-        if (each.name == property.name) scanner_.fail("second property " + quoted(each.name));
+        if (each.name == property.name) scanner_.fail("second property " + in_quotes(each.name));
     }
     element.properties.push_back(property);
   }

@@ -61,12 +61,12 @@ class VtkReader {
     std::string_view version = first.substr(kMagic.size());
     version = version.substr(0, version.find_last_not_of(" \t") + 1);
     if (std::find(kVersions.begin(), kVersions.end(), version) == kVersions.end())
-      scanner_.fail("unsupported version " + quoted(version));
+      scanner_.fail("unsupported version " + in_quotes(version));
     has_offsets_ = version == "5.1";
     static_cast<void>(scanner_.rest_of_line());  // the title
     const std::string encoding = upper(scanner_.word("ASCII"));
     if (encoding == "BINARY") scanner_.fail("binary VTK legacy file; save as ASCII");
-    if (encoding != "ASCII") scanner_.fail("ASCII is expected, not " + quoted(encoding));
+    if (encoding != "ASCII") scanner_.fail("ASCII is expected, not " + in_quotes(encoding));
     scanner_.refuse_nul();
   }
 
@@ -76,11 +76,11 @@ class VtkReader {
       skip_field();
       keyword = upper(scanner_.word("DATASET"));
     }
-    if (keyword != "DATASET") scanner_.fail("DATASET is expected, not " + quoted(keyword));
+    if (keyword != "DATASET") scanner_.fail("DATASET is expected, not " + in_quotes(keyword));
     const std::string_view type = scanner_.word("the type of the data set");
     is_poly_data_ = upper(type) == "POLYDATA";
     if (!is_poly_data_ && upper(type) != "UNSTRUCTURED_GRID")
-      scanner_.fail("data set of type " + quoted(type) +
+      scanner_.fail("data set of type " + in_quotes(type) +
                     "; UNSTRUCTURED_GRID or POLYDATA is expected");
   }
 
@@ -100,7 +100,7 @@ class VtkReader {
     } else if (keyword == "CELL_TYPES") {
       return read_cell_types();
     }
-    scanner_.fail("unknown section " + quoted(keyword));
+    scanner_.fail("unknown section " + in_quotes(keyword));
   }
 
   void read_points() {
@@ -124,7 +124,7 @@ class VtkReader {
         "SHORT",  "CHAR",  "BIT", "UNSIGNED_CHAR", "VTKIDTYPE", "UNSIGNED_SHORT", "VTKTYPEUINT64"};
     const std::string_view type = scanner_.word("a type of numbers");
     if (std::find(kTypes.begin(), kTypes.end(), upper(type)) == kTypes.end())
-      scanner_.fail("unknown type of numbers " + quoted(type));
+      scanner_.fail("unknown type of numbers " + in_quotes(type));
   }
 
   [[nodiscard]] CellList read_cells() {
@@ -188,7 +188,7 @@ class VtkReader {
 
   void expect(const std::string& keyword) {
     const std::string_view word = scanner_.word(keyword.c_str());
-    if (upper(word) != keyword) scanner_.fail(keyword + " is expected, not " + quoted(word));
+    if (upper(word) != keyword) scanner_.fail(keyword + " is expected, not " + in_quotes(word));
     check_number_type();
   }
 
@@ -226,7 +226,7 @@ class VtkReader {
       const std::size_t tuples = scanner_.count("the number of tuples", 1);
       check_number_type();
       if (tuples != 0 && components > (scanner_.bytes_left() + 1) / 2 / tuples)
-        scanner_.fail("the array " + quoted(name) + " is larger than the file");
+        scanner_.fail("the array " + in_quotes(name) + " is larger than the file");
       for (std::size_t k = 0; k < components * tuples; ++k)
         static_cast<void>(scanner_.real("a number of the field"));
     }

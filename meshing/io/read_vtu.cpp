@@ -39,7 +39,7 @@ void unpack_typed(std::string_view type, std::string_view bytes, const Place& pl
                   std::vector<double>& numbers) {
   if (type == "Float32") return unpack<float>(bytes, place, numbers);
   if (type == "Float64") return unpack<double>(bytes, place, numbers);
-  place.fail("coordinates of type " + quoted(type));
+  place.fail("coordinates of type " + in_quotes(type));
 }
 
 void unpack_typed(std::string_view type, std::string_view bytes, const Place& place,
@@ -52,7 +52,7 @@ void unpack_typed(std::string_view type, std::string_view bytes, const Place& pl
   if (type == "UInt32") return unpack<std::uint32_t>(bytes, place, numbers);
   if (type == "Int64") return unpack<std::int64_t>(bytes, place, numbers);
   if (type == "UInt64") return unpack<std::uint64_t>(bytes, place, numbers);
-  place.fail("integers of type " + quoted(type));
+  place.fail("integers of type " + in_quotes(type));
 }
 
 template <class Number>
@@ -149,26 +149,26 @@ class VtuReader {
       return root.attribute(name).as_string(otherwise.data()) == value;
     };
     if (!is("type", "UnstructuredGrid", ""))
-      fail(line, "data set of type " + quoted(root.attribute("type").as_string()) +
+      fail(line, "data set of type " + in_quotes(root.attribute("type").as_string()) +
                      "; UnstructuredGrid is expected");
     const std::string version = root.attribute("version").as_string("0.1");
     if (version != "0.1" && version != "1.0" && !version.starts_with("2."))
-      fail(line, "unsupported version " + quoted(version));
+      fail(line, "unsupported version " + in_quotes(version));
     if (!is("byte_order", "LittleEndian", "LittleEndian"))
-      fail(line, "byte order " + quoted(root.attribute("byte_order").as_string()) +
+      fail(line, "byte order " + in_quotes(root.attribute("byte_order").as_string()) +
                      "; LittleEndian is expected");
     const bool is_wide = is("header_type", "UInt64", "UInt32");
     if (!is_wide && !is("header_type", "UInt32", "UInt32"))
-      fail(line, "unknown header_type " + quoted(root.attribute("header_type").as_string()));
+      fail(line, "unknown header_type " + in_quotes(root.attribute("header_type").as_string()));
     header_bytes_ = is_wide ? 8 : 4;
     is_compressed_ = !is("compressor", "", "");
     if (is_compressed_ && !is("compressor", "vtkZLibDataCompressor", ""))
-      fail(line, "unsupported compressor " + quoted(root.attribute("compressor").as_string()) +
+      fail(line, "unsupported compressor " + in_quotes(root.attribute("compressor").as_string()) +
                      "; use vtkZLibDataCompressor or none");
     const pugi::xml_node appended = root.child("AppendedData");
     const std::string_view encoding = appended.attribute("encoding").as_string("base64");
     if (encoding != "raw" && encoding != "base64")
-      fail(line_of(appended), "unknown encoding " + quoted(encoding));
+      fail(line_of(appended), "unknown encoding " + in_quotes(encoding));
     is_appended_base64_ = encoding == "base64";
   }
 
@@ -217,7 +217,7 @@ class VtuReader {
         bytes = decode_array(appended_.substr(offset_of(node)),
                              {is_appended_base64_, is_compressed_, header_bytes_}, place);
       } else {
-        place.fail("unknown format " + quoted(format));
+        place.fail("unknown format " + in_quotes(format));
       }
       check_total(bytes.size(), place);
       unpack_typed(node.attribute("type").as_string(), bytes, place, array.numbers);

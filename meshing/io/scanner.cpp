@@ -40,7 +40,7 @@ std::string_view without_byte_order_mark(std::string_view bytes) {
   return bytes.starts_with("\xEF\xBB\xBF") ? bytes.substr(3) : bytes;
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   constexpr std::size_t kLongest = 40;
   std::string text(word.substr(0, kLongest));
   std::replace_if(
@@ -117,17 +117,17 @@ double Scanner::to_real(std::string_view word) const {
   double value = 0;
   const std::errc error = convert(word, value);
   if (error == std::errc::result_out_of_range)
-    fail(quoted(word) + " is outside the range of double precision");
-  if (error != std::errc{}) fail(quoted(word) + " is not a number");
-  if (!std::isfinite(value)) fail(quoted(word) + " is not a finite number");
+    fail(in_quotes(word) + " is outside the range of double precision");
+  if (error != std::errc{}) fail(in_quotes(word) + " is not a number");
+  if (!std::isfinite(value)) fail(in_quotes(word) + " is not a finite number");
   return value;
 }
 
 std::int64_t Scanner::to_integer(std::string_view word) const {
   std::int64_t value = 0;
   const std::errc error = convert(word, value);
-  if (error == std::errc::result_out_of_range) fail("integer " + quoted(word) + " is too large");
-  if (error != std::errc{}) fail(quoted(word) + " is not an integer");
+  if (error == std::errc::result_out_of_range) fail("integer " + in_quotes(word) + " is too large");
+  if (error != std::errc{}) fail(in_quotes(word) + " is not an integer");
   return value;
 }
 
@@ -168,7 +168,7 @@ std::string_view Scanner::raw(std::size_t size) {
 
 void Scanner::move_to(std::string_view mark) {
   const std::size_t found = bytes_.find(mark, position_);
-  if (found == std::string_view::npos) fail("no " + quoted(mark) + " follows");
+  if (found == std::string_view::npos) fail("no " + in_quotes(mark) + " follows");
   const auto skipped = bytes_.substr(position_, found - position_);
   line_ += static_cast<std::size_t>(std::count(skipped.begin(), skipped.end(), '\n'));
   position_ = found;

@@ -21,7 +21,7 @@ namespace hexatlas::io {
 [[nodiscard]] std::string_view without_byte_order_mark(std::string_view bytes);
 
 /// The word in quotes for a message: at most 40 bytes, each printable.
-[[nodiscard]] std::string quoted(std::string_view word);
+[[nodiscard]] std::string in_quotes(std::string_view word);
 
 /// Whether the word is a number, finite or not.
 [[nodiscard]] bool is_number(std::string_view word);

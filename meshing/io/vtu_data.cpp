@@ -83,7 +83,7 @@ class ByteStream {
       if (c == '=' && i >= 2) {
         ++padding;
       } else if (digit < 0 || padding > 0) {
-        place_.fail(quoted(std::string_view(&c, 1)) + " in base64 text");
+        place_.fail(in_quotes(std::string_view(&c, 1)) + " in base64 text");
       }
       value = value << 6U | static_cast<std::uint32_t>(std::max(digit, 0));
     }

@@ -1,4 +1,4 @@
-hexatlas_tests(sabotage_bound fast
+hexatlas_tests(sabotage_bound fast TOGETHER
   SOURCES bound_certificates_test.cpp bound_sabotage_test.cpp
   USES tables_check tables_build enum_hexes enum_canon)
 hexatlas_tests(sabotage_catalogue long SOURCES catalogue_sabotage_test.cpp USES tables_check)

@@ -1,5 +1,3 @@
-// _Thread_local is C; C++ code spells it differently.
-#define _Thread_local __thread  // NOLINT(bugprone-reserved-identifier)
 #include <nauty/nauty.h>
 
 #include "enum/canon/nauty/triangulation_form.hpp"
