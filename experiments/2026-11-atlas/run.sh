@@ -158,9 +158,9 @@ if [[ "${1:-}" == --search ]]; then
   # time on with boundaries of up to 26 quads. By trial programs that tried several prices and drew beginnings anew after each smaller
   # mesh. The third and the fourth sweep had 12 GiB and were cut short after 52 and 49 hexahedra.
   faulty_from() { # TABLE SEED BOUNDARIES CUT RESULT WIDEST [OPTIONS OF THE COLLARS]
-    local swept="swept-$2.state" options=(--width 2200000 --per-class 200 --widest "$6" --seed "$2" --rounds 1 --growths 0 --cut 0 --collared 0
+    local swept="swept-$2.state" options=(--width "${fronts:-2200000}" --per-class "${each:-200}" --widest "$6" --seed "$2" --rounds 1 --growths 0 --cut 0 --collared 0
       --symmetric 0 --irregular "${preferring:-0}")
-    "$program" table build -o swept.hxt --state "$swept" --start-from "$1" hexatlas-22.hxt "${options[@]}" --memory 14 --max-hexahedra 56
+    "$program" table build -o swept.hxt --state "$swept" --start-from "$1" hexatlas-22.hxt "${options[@]}" --memory "${memory:-14}" --max-hexahedra "${most:-56}"
     "$program" table build -o faulty.hxt --start-from "$swept" swept.hxt "${options[@]}" --max-hexahedra 1 --annealed "$3" --anneal-starts 1 \
       --anneal-leaps 0 --anneal-faulty 400 --anneal-cut "$4" "${@:7}"
     "$program" table build -o "$5" --start-from "$1" swept.hxt faulty.hxt "${last[@]/20261126/$2}"
@@ -184,9 +184,13 @@ if [[ "${1:-}" == --search ]]; then
   preferring=3 faulty_from hexatlas-irregular.hxt 20261217 10 400 hexatlas-more-irregular.hxt 30 "${irregular[@]}"
   preferring=2 faulty_from hexatlas-more-irregular.hxt 20261218 9 400 hexatlas-most-irregular.hxt 30 "${irregular[@]}"
   preferring=2 faulty_from hexatlas-most-irregular.hxt 20261220 9 400 hexatlas-irregular-30.hxt 30 "${irregular[@]}"
-  # Two with more fronts of shorter boundaries: 4,000,000 per level, 20 per class, up to 47 hexahedra.
-  preferring=2 faulty_from hexatlas-irregular-30.hxt 20261223 9 400 hexatlas-wide-28.hxt 28 "${irregular[@]}"
-  preferring=4 faulty_from hexatlas-wide-28.hxt 20261224 9 400 hexatlas.hxt 28 "${irregular[@]}"
+  # With more fronts of shorter boundaries. No collars followed but for the nine above 50.
+  memory=17 most=47
+  fronts=4000000 each=20 preferring=2 faulty_from hexatlas-irregular-30.hxt 20261223 9 400 hexatlas-wide-28.hxt 28 "${irregular[@]}"
+  fronts=4000000 each=20 preferring=4 faulty_from hexatlas-wide-28.hxt 20261224 9 400 hexatlas-more-28.hxt 28 "${irregular[@]}"
+  fronts=4500000 each=20 preferring=3 faulty_from hexatlas-more-28.hxt 20261226 9 400 hexatlas-wide-26.hxt 26 "${irregular[@]}"
+  fronts=6000000 each=40 preferring=1 faulty_from hexatlas-wide-26.hxt 20261227 9 400 hexatlas-wide-24.hxt 24 "${irregular[@]}"
+  fronts=9000000 each=200 preferring=1 faulty_from hexatlas-wide-24.hxt 20261228 9 400 hexatlas.hxt 24 "${irregular[@]}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
