@@ -190,7 +190,9 @@ if [[ "${1:-}" == --search ]]; then
   fronts=4000000 each=20 preferring=4 faulty_from hexatlas-wide-28.hxt 20261224 9 400 hexatlas-more-28.hxt 28 "${irregular[@]}"
   fronts=4500000 each=20 preferring=3 faulty_from hexatlas-more-28.hxt 20261226 9 400 hexatlas-wide-26.hxt 26 "${irregular[@]}"
   fronts=6000000 each=40 preferring=1 faulty_from hexatlas-wide-26.hxt 20261227 9 400 hexatlas-wide-24.hxt 24 "${irregular[@]}"
-  fronts=9000000 each=200 preferring=1 faulty_from hexatlas-wide-24.hxt 20261228 9 400 hexatlas.hxt 24 "${irregular[@]}"
+  fronts=9000000 each=200 preferring=1 faulty_from hexatlas-wide-24.hxt 20261228 9 400 hexatlas-more-24.hxt 24 "${irregular[@]}"
+  fronts=8000000 each=400 preferring=1 faulty_from hexatlas-more-24.hxt 20261230 9 400 hexatlas-wide-22.hxt 22 "${irregular[@]}"
+  fronts=9000000 each=1000 preferring=0 faulty_from hexatlas-wide-22.hxt 20270101 9 400 hexatlas.hxt 22 "${irregular[@]}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
