@@ -130,6 +130,7 @@ tidy_unit() { # UNIT, or JOINED<tab>UNIT<tab>UNIT...
   IFS=$'\t' read -ra units <<<"$1"
   if ((${#units[@]} > 1)); then
     run_tidy build/joined "${units[0]}" >/dev/null 2>&1 && return
+    echo "${units[0]}: its units one by one"
     units=("${units[@]:1}")
   fi
   for unit in "${units[@]}"; do run_tidy "$tidy_commands" "$unit" || failed=1; done
