@@ -299,6 +299,16 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
       "among the ones that have a symmetry of order two");
   effort("--symmetric-hexahedra", search.max_symmetric, 1, 200,
          "Hexahedra of a symmetric collar, at most");
+  effort(
+      "--symmetric-ball-hexahedra", search.max_symmetric_ball, 0, 100,
+      "Hexahedra of the symmetric balls that fill such collars, beside the balls grown, at most; "
+      "0: none of them");
+  effort("--symmetric-ball-widest", search.symmetric_balls.max_quads, 6, flips::kMaxSymmetricQuads,
+         "Quads of their boundaries on the way, at most");
+  effort(
+      "--symmetric-ball-width", search.symmetric_balls.fronts_per_level, std::size_t{1},
+      std::size_t{100'000'000},
+      "Such balls expanded per number of hexahedra, of those with a half-turn and of the others");
   effort("--collared", search.collared, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round for which collars are grown, those with the largest meshes");
   effort("--collar-hexahedra", search.max_collar, 1, 200, "Hexahedra of a collar, at most");

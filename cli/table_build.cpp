@@ -53,7 +53,7 @@ build::SearchOptions search_options(const TableBuildOptions& options) {
   search.balls.threads = parallel::threads_or_all(options.threads);
   const std::size_t bytes = static_cast<std::size_t>(options.memory_gib) << 30U;
   search.balls.max_fronts = search.collars.max_fronts = bytes / kBytesPerFront;
-  search.symmetric.max_fronts = bytes / kBytesPerSymmetricFront;
+  search.symmetric.max_fronts = search.symmetric_balls.max_fronts = bytes / kBytesPerSymmetricFront;
   return search;
 }
 

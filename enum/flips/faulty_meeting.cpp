@@ -108,7 +108,8 @@ std::vector<FaultyMesh> faulty_symmetric_meetings(const Beam& balls, const canon
   std::deque<SymmetricBeam> searches;  // one for each involution
   std::vector<std::pair<const SymmetricBeam*, SymmetricBeam::Node>> cavities;
   for (const SymmetricFront& start : symmetric_fronts(boundary_of(target), {})) {
-    SymmetricBeam& collars = searches.emplace_back(start, options.collars);
+    SymmetricBeam& collars = searches.emplace_back(std::vector{start_of_collars(start)},
+                                                   Growth::inward, options.collars);
     for (bool has_more = true; has_more; has_more = collars.expand_level()) {
       for (const SymmetricBeam::Node& node : collars.nodes()) {
         const auto cavity = state_without_symmetry(node.state);

@@ -31,14 +31,28 @@ PatchRelation patch_relation(Flip flip, const Prism& prism) noexcept {
   return result;
 }
 
-VertexSet image(VertexSet set, const std::array<Vertex, complex::kMaxVertices>& number) noexcept {
-  VertexSet result = 0;
-  for (; set != 0; set &= set - 1) {
-    const Vertex v = number[static_cast<std::size_t>(std::countr_zero(set))];
-    if (v != kNewVertex) result |= bit(v);
+/// The new number of each vertex of a former front, kNewVertex if it has none. A flip leaves most
+/// vertices theirs, so that sets are renumbered by what has moved.
+struct Renumbering {
+  std::array<Vertex, complex::kMaxVertices> number{};
+  VertexSet kept = 0, moved = 0;
+
+  Renumbering(const Flipped& made, int vertices) {
+    number.fill(kNewVertex);
+    for (int v = 0; v < vertices; ++v) {
+      const Vertex former = made.former[static_cast<std::size_t>(v)];
+      if (former == kNewVertex) continue;
+      number[former] = static_cast<Vertex>(v);
+      (former == v ? kept : moved) |= bit(former);
+    }
   }
-  return result;
-}
+  [[nodiscard]] VertexSet image(VertexSet set) const noexcept {
+    VertexSet result = set & kept;
+    for (VertexSet left = set & moved; left != 0; left &= left - 1)
+      result |= bit(number[static_cast<std::size_t>(std::countr_zero(left))]);
+    return result;
+  }
+};
 
 }  // namespace
 
@@ -114,18 +128,13 @@ Glued glued(const Front& front, Flip flip, const Prism& prism) {
   const int vertices = made.quadrangulation.vertices();
   core::expects(made.quadrangulation.quads() <= kMaxFrontQuads, "a front has at most 62 quads");
 
-  std::array<Vertex, complex::kMaxVertices> number{};
-  number.fill(kNewVertex);
-  for (int v = 0; v < vertices; ++v) {
-    const Vertex former = made.former[static_cast<std::size_t>(v)];
-    if (former != kNewVertex) number[former] = static_cast<Vertex>(v);
-  }
+  const Renumbering renumbering(made, vertices);
   VertexSet hexahedron = set_of(made.top);
   for (const Vertex b : prism.bottom)
-    if (number[b] != kNewVertex) hexahedron |= bit(number[b]);
+    if (renumbering.number[b] != kNewVertex) hexahedron |= bit(renumbering.number[b]);
   for (int v = 0; v < vertices; ++v) {
     const Vertex former = made.former[static_cast<std::size_t>(v)];
-    VertexSet set = former == kNewVertex ? 0 : image(front.related[former], number);
+    VertexSet set = former == kNewVertex ? 0 : renumbering.image(front.related[former]);
     if ((hexahedron & bit(static_cast<Vertex>(v))) != 0) set |= hexahedron;
     result.front.related[static_cast<std::size_t>(v)] = set;
   }

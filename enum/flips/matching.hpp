@@ -40,6 +40,7 @@ class Matcher {
   [[nodiscard]] std::optional<Meeting> match(std::span<const Cavity> cavities);
   /// Only what has fewer hexahedra than this is still of interest.
   [[nodiscard]] int below() const noexcept { return below_; }
+  void look_below(int hexahedra) noexcept { below_ = hexahedra; }
 
  private:
   /// The balls of one class, in every position that the symmetries of their boundary allow.

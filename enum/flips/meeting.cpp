@@ -7,6 +7,7 @@
 
 #include "enum/core/checks.hpp"
 #include "enum/flips/matching.hpp"
+#include "enum/flips/symmetric_balls.hpp"
 #include "enum/flips/symmetric_beam.hpp"
 
 namespace hexatlas::flips {
@@ -37,8 +38,9 @@ SymmetricCavities cavities_of(const SymmetricBeam& collars) {
 }
 
 std::optional<Filling> symmetric_meeting(const BallSource& balls, const SymmetricFront& start,
-                                         const MeetingOptions& options, Matcher& matcher) {
-  SymmetricBeam collars(start, options.collars);
+                                         const MeetingOptions& options, Matcher& matcher,
+                                         const SymmetricBalls* symmetric_balls) {
+  SymmetricBeam collars({start_of_collars(start)}, Growth::inward, options.collars);
   std::optional<Filling> best;
   for (bool has_more = true; has_more; has_more = collars.expand_level()) {
     if (collars.level() + 1 >= matcher.below() || (options.first && best)) break;
@@ -46,6 +48,13 @@ std::optional<Filling> symmetric_meeting(const BallSource& balls, const Symmetri
     if (const auto meeting = matcher.match(here.cavities))
       best = assembled(balls, collars.layers_to(collars.nodes()[here.node[meeting->cavity]]),
                        *meeting, start.front.boundary.quads());
+    if (symmetric_balls != nullptr)
+      if (const auto fit = symmetric_balls->least_fit(collars.nodes(), matcher.below())) {
+        best = Filling{filled(collars.layers_to(collars.nodes()[fit->cavity]),
+                              symmetric_balls->layers_of(*fit), fit->turn, fit->is_mirrored,
+                              start.front.boundary.quads())};
+        matcher.look_below(fit->hexahedra);
+      }
     if (collars.level() == options.max_collar) break;
   }
   return best;
@@ -158,11 +167,13 @@ std::optional<Filling> best_meeting(const BallSource& balls, const canon::Code& 
 }
 
 std::optional<Filling> best_symmetric_meeting(const BallSource& balls, const canon::Code& target,
-                                              const MeetingOptions& options) {
+                                              const MeetingOptions& options,
+                                              const SymmetricBalls* symmetric_balls) {
   Matcher matcher(balls, options.below, options.collars.threads);
   std::optional<Filling> best;
   for (const SymmetricFront& start : symmetric_fronts(boundary_of(target), options.apart))
-    if (auto filling = symmetric_meeting(balls, start, options, matcher)) best = std::move(filling);
+    if (auto filling = symmetric_meeting(balls, start, options, matcher, symmetric_balls))
+      best = std::move(filling);
   return best;
 }
 
@@ -186,7 +197,7 @@ std::vector<Filling> varied_symmetric_meetings(const Beam& balls, const canon::C
                                                const MeetingOptions& options) {
   std::vector<Filling> result;
   for (const SymmetricFront& start : symmetric_fronts(boundary_of(target), options.apart)) {
-    SymmetricBeam collars(start, options.collars);
+    SymmetricBeam collars({start_of_collars(start)}, Growth::inward, options.collars);
     for (bool has_more = true; has_more; has_more = collars.expand_level()) {
       const SymmetricCavities here = cavities_of(collars);
       add_meetings(result, balls, options, target.quads, here.cavities, [&](std::size_t cavity) {

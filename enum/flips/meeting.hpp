@@ -18,6 +18,8 @@
 
 namespace hexatlas::flips {
 
+class SymmetricBalls;
+
 /// A mesh whose vertices 0 .. quads+1 are the boundary's in canonical labels, right-handed if the
 /// canonical list of quads is counter-clockwise from outside. The hexahedra can be taken off in
 /// the order given: a shelling backwards.
@@ -90,10 +92,11 @@ struct MeetingOptions {
 /// (symmetric_beam.hpp), for each involution in turn; the balls need no symmetry. nullopt for a
 /// boundary without involutions, too. Boundaries may have up to kMaxSymmetricQuads quads here, and
 /// four more between the two hexahedra of an orbit. Involutions that do not keep options.apart are
-/// left out; options.first holds for each one by itself.
-[[nodiscard]] std::optional<Filling> best_symmetric_meeting(const BallSource& balls,
-                                                            const canon::Code& target,
-                                                            const MeetingOptions& options);
+/// left out; options.first holds for each one by itself. Cavities are filled with these balls and,
+/// unless nullptr, with symmetric ones, which may have longer boundaries.
+[[nodiscard]] std::optional<Filling> best_symmetric_meeting(
+    const BallSource& balls, const canon::Code& target, const MeetingOptions& options,
+    const SymmetricBalls* symmetric_balls = nullptr);
 
 /// Fillings of many kinds, to begin annealing with (annealing.hpp): of the meetings with collars of
 /// each thickness, thin ones first, the least one with an even and the least one with an odd number

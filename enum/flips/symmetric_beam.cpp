@@ -1,6 +1,7 @@
 #include "enum/flips/symmetric_beam.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -14,12 +15,43 @@ namespace {
 constexpr std::uint32_t kParentsPerChunk = 64;
 constexpr std::uint32_t kChunksPerBatch = 64;
 
-/// What states of one class have in common.
-std::uint64_t class_of(const SymmetricState& state) {
-  return SymmetricState{state.code, state.image, {}}.hash(0);
+/// The same with its rim in the canonical numbering.
+Layers in_canonical_numbers(Layers layers, const CanonicalSymmetricState& canonical) {
+  const std::vector<std::uint32_t> rim = layers.rim;
+  for (std::size_t v = 0; v < rim.size(); ++v) layers.rim[canonical.label[v]] = rim[v];
+  layers.is_mirrored = layers.is_mirrored != canonical.is_mirrored;
+  return layers;
 }
 
 }  // namespace
+
+SymmetricStart start_of_collars(const SymmetricFront& front) {
+  SymmetricStart result{front, {}};
+  result.layers.vertices = static_cast<std::uint32_t>(front.front.boundary.vertices());
+  result.layers.rim.resize(result.layers.vertices);
+  std::iota(result.layers.rim.begin(), result.layers.rim.end(), 0U);
+  return result;
+}
+
+std::vector<SymmetricStart> small_symmetric_balls(int max_hexahedra, bool are_mirrored) {
+  constexpr std::size_t kAll = 100'000'000;
+  Beam balls(canonical_state(single_hexahedron()).state,
+             {.max_quads = kMaxStateQuads, .fronts_per_class = kAll, .fronts_per_level = kAll});
+  std::vector<SymmetricStart> result;
+  for (int hexahedra = 1; hexahedra <= max_hexahedra; ++hexahedra) {
+    if (hexahedra > 1) (void)balls.expand_level();
+    for (const FrontId id : balls.frontier()) {
+      const State state = balls.state(id);
+      const auto boundary = canon::decode(state.code).value();
+      std::vector<Involution> involutions = involutions_of(boundary);
+      std::erase_if(involutions,
+                    [&](const Involution& each) { return each.is_mirrored != are_mirrored; });
+      for (const SymmetricFront& front : symmetric_fronts(boundary, state.scars, involutions))
+        result.push_back({front, layers_along(balls, id, Growth::outward)});
+    }
+  }
+  return result;
+}
 
 std::size_t SymmetricBeam::NodeSet::slot_of(const SymmetricState& state) const noexcept {
   std::size_t slot = state.hash(1) % slots_.size();
@@ -52,18 +84,22 @@ void SymmetricBeam::NodeSet::remove_those_of(const NodeSet& other) {
   if (nodes_.size() < before) make_slots(slots_.size());
 }
 
-SymmetricBeam::SymmetricBeam(const SymmetricFront& start, const BeamOptions& options)
-    : options_(options) {
+SymmetricBeam::SymmetricBeam(std::vector<SymmetricStart> starts, Growth growth,
+                             const BeamOptions& options)
+    : options_(options), growth_(growth), open_(3) {
   core::expects(options.max_quads >= 6 && options.max_quads <= kMaxSymmetricQuads,
                 "boundaries have from 6 to 40 quads");
   core::expects(
       options.fronts_per_class >= 1 && options.fronts_per_level >= 1 && options.threads >= 1,
       "limits of a beam are at least 1");
-  const CanonicalSymmetricState canonical = canonical_state(start);
-  start_ = canonical.state;
-  start_label_ = canonical.label;
-  start_is_mirrored_ = canonical.is_mirrored;
-  open_[0].insert({start_, 0, {}});
+  for (SymmetricStart& start : starts) {
+    const CanonicalSymmetricState canonical = canonical_state(start.front);
+    const std::size_t level = start.layers.hexahedra.size();
+    if (open_.size() <= level) open_.resize(level + 1);
+    open_[level].insert({canonical.state, static_cast<std::uint32_t>(starts_.size()),
+                         Orbit{.size = 0}, static_cast<std::uint16_t>(level)});
+    starts_.push_back(in_canonical_numbers(std::move(start.layers), canonical));
+  }
 }
 
 /// The nodes of this level to be expanded, ascending.
@@ -81,7 +117,7 @@ std::vector<std::uint32_t> SymmetricBeam::choose() {
     for (std::size_t i = 1024 * chunk; i < std::min(nodes.size(), 1024 * (chunk + 1)); ++i) {
       const SymmetricState& state = nodes[i].state;
       const std::uint64_t price = options_.scars_per_quad * state.code.quads;
-      all[i] = {class_of(state), static_cast<std::uint64_t>(state.scars.size()) + price,
+      all[i] = {state.hash_of_class(), static_cast<std::uint64_t>(state.scars.size()) + price,
                 state.hash(options_.seed), static_cast<std::uint32_t>(i)};
     }
   });
@@ -113,7 +149,8 @@ bool SymmetricBeam::expand_level() {
   ++level_;
   expand(begin, static_cast<std::uint32_t>(expanded_.nodes().size()));
   open_[0].remove_those_of(expanded_);
-  return !open_[0].nodes().empty() || !open_[1].nodes().empty();
+  return std::any_of(open_.begin(), open_.end(),
+                     [](const NodeSet& level) { return !level.nodes().empty(); });
 }
 
 void SymmetricBeam::expand(std::uint32_t begin, std::uint32_t end) {
@@ -126,14 +163,14 @@ void SymmetricBeam::expand(std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t i = first; i < std::min(begin + count, first + kParentsPerChunk); ++i)
         for_each_glueable_orbit(
             front_of(expanded_.nodes()[i].state), options_.max_quads, [&](const GluedOrbit& next) {
-              made[c].push_back({canonical_state(next.made).state, i, next.orbit});
+              made[c].push_back({canonical_state(next.made).state, i, next.orbit,
+                                 static_cast<std::uint16_t>(level_ - 1 + next.orbit.size)});
             });
     });
     for (const auto& chunk : made)
       for (const Node& node : chunk) {
         if (expanded_.contains(node.state)) continue;
-        if (open_[0].nodes().size() + open_[1].nodes().size() + expanded_.nodes().size() >=
-            options_.max_fronts) {
+        if (states() >= options_.max_fronts) {
           is_truncated_ = true;
           return;
         }
@@ -142,17 +179,21 @@ void SymmetricBeam::expand(std::uint32_t begin, std::uint32_t end) {
   }
 }
 
+std::size_t SymmetricBeam::states() const noexcept {
+  return std::accumulate(
+      open_.begin(), open_.end(), expanded_.nodes().size(),
+      [](std::size_t sum, const NodeSet& level) { return sum + level.nodes().size(); });
+}
+
 Layers SymmetricBeam::layers_to(const Node& node) const {
   std::vector<const Node*> path;
-  for (const Node* at = &node; at->state != start_; at = &expanded_.nodes()[at->parent])
-    path.push_back(at);
+  const Node* first = &node;
+  for (; !first->is_start(); first = &expanded_.nodes()[first->parent]) path.push_back(first);
   std::reverse(path.begin(), path.end());
 
-  Layers result;
-  result.vertices = static_cast<std::uint32_t>(start_.code.quads + 2);
-  result.rim.resize(result.vertices);
-  for (std::uint32_t v = 0; v < result.vertices; ++v) result.rim[start_label_[v]] = v;
-  result.is_mirrored = start_is_mirrored_;
+  Layers result = starts_[first->parent];
+  // The hexahedra of an orbit lie inside of the front on which they are glued.
+  const bool is_outward = growth_ == Growth::outward;
   for (const Node* at : path) {
     const SymmetricFront front = front_of(expanded_.nodes()[at->parent].state);
     const GluedOrbit next = glued(front, at->orbit);
@@ -161,7 +202,7 @@ Layers SymmetricBeam::layers_to(const Node& node) const {
     for (std::size_t k = 0; k < at->orbit.size; ++k) {
       complex::Hexahedron cell{};
       for (std::size_t c = 0; c < cell.size(); ++c) cell[c] = vertex_of[next.cell[k][c]];
-      if (result.is_mirrored) cells::exchange_axes(cell);
+      if (result.is_mirrored != is_outward) cells::exchange_axes(cell);
       result.hexahedra.push_back(cell);
     }
     const CanonicalSymmetricState canonical = canonical_state(next.made);

@@ -1,18 +1,18 @@
 #pragma once
 /// \file
-/// Beam search over symmetric fronts: collars of a boundary that its involution takes to
-/// themselves, grown inwards orbit by orbit (symmetric_front.hpp).
+/// Beam search over symmetric fronts, orbit by orbit (symmetric_front.hpp): collars of a boundary
+/// that its involution takes to themselves, grown inwards, or balls with an involution, grown
+/// outwards from small ones.
 ///
 /// Level h holds the states reached with h hexahedra; an orbit has one or two, so a level has
 /// states that come from each of the two before it. Of one level all states are there to be looked
 /// at, then some are chosen and expanded: in each class (boundary and involution) those with the
 /// fewest scars first, and the first ones of all classes before the second ones, as in beam.hpp.
-/// If no limit was hit, the search was exhaustive: it saw the state of every symmetric collar that
-/// orbits build while boundaries have at most max_quads quads after each orbit, with the least
+/// If no limit was hit, the search was exhaustive: it saw the state of everything that orbits build
+/// on a start while boundaries have at most max_quads quads after each orbit, with the least
 /// number of hexahedra that leads to it.
 /// Memory: about 240 bytes for each state of the two levels ahead and each one expanded.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -23,18 +23,36 @@
 
 namespace hexatlas::flips {
 
+/// What a symmetric beam begins with, at the level of its number of hexahedra. layers.rim gives the
+/// mesh vertex of each boundary vertex of the front, which is mirrored as `layers` says.
+struct SymmetricStart {
+  SymmetricFront front;
+  Layers layers;
+};
+
+/// No hexahedra, the boundary being that of the front.
+[[nodiscard]] SymmetricStart start_of_collars(const SymmetricFront& front);
+
+/// All shellable balls of at most so many hexahedra that have an involution, with each one up to
+/// conjugacy: the ones that reverse the orientation, or the half-turns. Cost: that of a search
+/// without limits for all shellable balls, seconds for 6 hexahedra.
+[[nodiscard]] std::vector<SymmetricStart> small_symmetric_balls(int max_hexahedra,
+                                                                bool are_mirrored);
+
 class SymmetricBeam {
  public:
   struct Node {
     SymmetricState state;
-    std::uint32_t parent = 0;  ///< among the nodes expanded; of the start: 0
-    Orbit orbit;               ///< glued on front_of() the parent's state
+    std::uint32_t parent = 0;  ///< among the nodes expanded; of a start: its place among the starts
+    Orbit orbit;               ///< glued on front_of() the parent's state; of a start: of size 0
+    std::uint16_t level = 0;
+    [[nodiscard]] bool is_start() const noexcept { return orbit.size == 0; }
   };
 
-  /// Level 0 is the start alone. Requires options within their ranges, max_quads at most
-  /// kMaxSymmetricQuads, and a symmetric front with a 3-connected boundary.
+  /// At level 0, which the starts without hexahedra have. Requires options within their ranges,
+  /// max_quads at most kMaxSymmetricQuads, and symmetric fronts with 3-connected boundaries.
   /// Of the options use_dominance does nothing here; max_fronts counts states in memory.
-  SymmetricBeam(const SymmetricFront& start, const BeamOptions& options);
+  SymmetricBeam(std::vector<SymmetricStart> starts, Growth growth, const BeamOptions& options);
 
   [[nodiscard]] int level() const noexcept { return level_; }
   /// The states of this level, none twice, and none that an earlier level expanded.
@@ -44,9 +62,11 @@ class SymmetricBeam {
   bool expand_level();
   /// Whether no limit was hit.
   [[nodiscard]] bool is_exhaustive() const noexcept { return !is_truncated_; }
+  /// Those expanded so far, in order of level.
+  [[nodiscard]] std::span<const Node> expanded() const noexcept { return expanded_.nodes(); }
 
-  /// The hexahedra on the way from the start to a node of this level. Some numbers of vertices are
-  /// left out.
+  /// The hexahedra of a start and on the way from there to a node, of this level or expanded. Some
+  /// numbers of vertices are left out.
   [[nodiscard]] Layers layers_to(const Node& node) const;
 
  private:
@@ -67,13 +87,13 @@ class SymmetricBeam {
 
   [[nodiscard]] std::vector<std::uint32_t> choose();
   void expand(std::uint32_t begin, std::uint32_t end);
+  [[nodiscard]] std::size_t states() const noexcept;  ///< in memory
 
   BeamOptions options_;
-  SymmetricState start_;
-  canon::Labelling start_label_{};
-  bool start_is_mirrored_ = false;
+  Growth growth_;
+  std::vector<Layers> starts_;  ///< with the canonical vertices on their rims
   NodeSet expanded_;
-  std::array<NodeSet, 3> open_;  ///< this level, the next, the one after it
+  std::vector<NodeSet> open_;  ///< this level, the next, and so on
   int level_ = 0;
   bool is_truncated_ = false;
 };

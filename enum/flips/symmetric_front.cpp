@@ -219,9 +219,14 @@ std::vector<Involution> involutions_of(const Quadrangulation& boundary) {
 }
 
 std::vector<SymmetricFront> symmetric_fronts(const Quadrangulation& boundary, const Scars& scars) {
+  return symmetric_fronts(boundary, scars, involutions_of(boundary));
+}
+
+std::vector<SymmetricFront> symmetric_fronts(const Quadrangulation& boundary, const Scars& scars,
+                                             std::span<const Involution> involutions) {
   const auto wide = scars.as<kMaxSymmetricQuads>();
   std::vector<SymmetricFront> result;
-  for (const Involution& involution : involutions_of(boundary))
+  for (const Involution& involution : involutions)
     if (wide.renamed(involution.image) == wide)
       result.push_back({front_with(boundary, wide), involution.image});
   return result;
@@ -240,6 +245,10 @@ GluedOrbit glued(const SymmetricFront& front, const Orbit& orbit) {
   });
   core::expects(found.has_value(), "the orbit may be glued on");
   return *found;
+}
+
+std::uint64_t SymmetricState::hash_of_class() const noexcept {
+  return SymmetricState{code, image, {}}.hash(0);
 }
 
 std::uint64_t SymmetricState::hash(std::uint64_t seed) const noexcept {

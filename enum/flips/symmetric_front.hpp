@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "enum/complex/hex_complex.hpp"
@@ -45,6 +46,10 @@ struct SymmetricFront {
 /// 3-connected quadrangulation.
 [[nodiscard]] std::vector<SymmetricFront> symmetric_fronts(const complex::Quadrangulation& boundary,
                                                            const Scars& scars);
+/// The same with those of the given involutions that keep the scars.
+[[nodiscard]] std::vector<SymmetricFront> symmetric_fronts(const complex::Quadrangulation& boundary,
+                                                           const Scars& scars,
+                                                           std::span<const Involution> involutions);
 
 /// A hexahedron and its image: the flips made one after the other, the second one in the boundary
 /// that the first one leaves. Only the first if the hexahedron is its own image.
@@ -85,6 +90,8 @@ struct SymmetricState {
   std::array<complex::Vertex, kMaxSymmetricQuads + 2> image{};
   Scars scars;
   [[nodiscard]] std::uint64_t hash(std::uint64_t seed) const noexcept;
+  /// That of its class, the boundary and the involution.
+  [[nodiscard]] std::uint64_t hash_of_class() const noexcept;
   friend auto operator<=>(const SymmetricState&, const SymmetricState&) = default;
 };
 

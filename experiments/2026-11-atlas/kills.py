@@ -10,7 +10,7 @@ import sys
 import time
 
 SEARCH = ("--max-quads", "14", "--width", "20000", "--per-class", "20", "--max-hexahedra", "60",
-          "--rounds", "2", "--symmetric", "3", "--collared", "5")
+          "--rounds", "2", "--symmetric", "3", "--symmetric-ball-width", "200", "--collared", "5")
 SAVE_EVERY = 2
 KILLS = 50
 

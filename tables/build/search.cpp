@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, flips::kFrontOrigins> kOriginNames{"sweep
 
 /// A shared seed and number of threads.
 SearchOptions adjusted(SearchOptions options) {
-  for (flips::BeamOptions* own : {&options.symmetric, &options.collars}) {
+  for (flips::BeamOptions* own : {&options.symmetric, &options.symmetric_balls, &options.collars}) {
     own->seed = options.balls.seed;
     own->threads = options.balls.threads;
   }

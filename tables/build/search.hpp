@@ -8,14 +8,15 @@
 /// Then the boundaries with the largest meshes, and those without one, get more. *Cuts*: two known
 /// balls are joined along a disc (enum/flips/cut.hpp), and what they make, as well as the mesh
 /// known before, goes through a longer exchange. *Symmetric collars*, for boundaries that have an
-/// involution, and *collars*: hexahedra are taken off inwards until a known ball fits
-/// (enum/flips/meeting.hpp). *Annealing*: exchange that may break the strict rule for a while
-/// (enum/flips/annealing.hpp), begun with the known mesh and with others of the same boundary from
-/// collars of all kinds, those that do not quite fit among them (enum/flips/faulty_meeting.hpp), in
-/// each dual class (enum/complex/dual_class.hpp) that these have or leaps come to. What is found
-/// goes back into the beam, with all balls on the way, and the next sweep goes on from there: so a
-/// mesh one flip away from a smaller one becomes smaller, too. A mesh without a shelling that the
-/// beam could hold is kept beside it.
+/// involution, and *collars*: hexahedra are taken off inwards until a known ball fits, or one that
+/// has the involution, too (enum/flips/meeting.hpp, enum/flips/symmetric_balls.hpp). *Annealing*:
+/// exchange that may break the strict rule for a while (enum/flips/annealing.hpp), begun with the
+/// known mesh and with others of the same boundary from collars of all kinds, those that do not
+/// quite fit among them (enum/flips/faulty_meeting.hpp), in each dual class
+/// (enum/complex/dual_class.hpp) that these have or leaps come to. What is found goes back into the
+/// beam, with all balls on the way, and the next sweep goes on from there: so a mesh one flip away
+/// from a smaller one becomes smaller, too. A mesh without a shelling that the beam could hold is
+/// kept beside it.
 ///
 /// The search proceeds in steps of seconds to a few minutes. Between two steps it can be saved.
 
@@ -32,6 +33,7 @@
 #include "enum/flips/beam.hpp"
 #include "enum/flips/meeting.hpp"
 #include "enum/flips/replacement.hpp"
+#include "enum/flips/symmetric_balls.hpp"
 #include "enum/flips/walk.hpp"
 #include "tables/format/table.hpp"
 
@@ -57,6 +59,10 @@ struct SearchOptions {
       .max_quads = 34, .fronts_per_class = 20, .fronts_per_level = 1'000, .scars_per_quad = 3};
   int max_symmetric = 40;        ///< hexahedra
   std::size_t symmetrized = 50;  ///< boundaries per round
+  /// Symmetric balls that fill the cavities of such collars, beside the balls known.
+  flips::BeamOptions symmetric_balls{
+      .max_quads = 36, .fronts_per_class = 200, .fronts_per_level = 2'000};
+  int max_symmetric_ball = 28;  ///< hexahedra; 0: there are none
   /// Some boundaries have no flip that adds less than four quads; those around two vertices of high
   /// degree have no short way back to fewer.
   flips::BeamOptions collars{
@@ -194,6 +200,8 @@ class TableSearch {
   std::size_t position_ = 0;  ///< next target of the phase
   int taken_from_ = 0;        ///< the phase is for targets with so many hexahedra, or more
   std::map<canon::Code, Loose> loose_;
+  /// For the phase of symmetric collars; grown anew after a restart.
+  std::optional<flips::SymmetricBalls> symmetric_balls_;
 };
 
 /// The rows of a table. Cost: each mesh is made and validated.

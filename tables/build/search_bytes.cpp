@@ -64,12 +64,14 @@ std::string TableSearch::settings() const {
         std::uint64_t{options_.cuts_each}, static_cast<std::uint64_t>(options_.cut_growths),
         static_cast<std::uint64_t>(options_.cut_interior), std::uint64_t{options_.cut_uphill},
         static_cast<std::uint64_t>(options_.max_symmetric), std::uint64_t{options_.symmetrized},
+        static_cast<std::uint64_t>(options_.max_symmetric_ball),
         static_cast<std::uint64_t>(options_.max_collar), std::uint64_t{options_.collared},
         static_cast<std::uint64_t>(options_.anneal_rounds), std::uint64_t{options_.annealed},
         std::uint64_t{options_.anneal_starts}, std::uint64_t{options_.anneal_faulty},
         std::uint64_t{options_.anneal_cut}, static_cast<std::uint64_t>(options_.anneal_leaps)})
     text += ' ' + std::to_string(number);
-  for (const flips::BeamOptions* own : {&options_.symmetric, &options_.collars})
+  for (const flips::BeamOptions* own :
+       {&options_.symmetric, &options_.symmetric_balls, &options_.collars})
     for (const std::uint64_t number :
          {static_cast<std::uint64_t>(own->max_quads), std::uint64_t{own->fronts_per_class},
           std::uint64_t{own->fronts_per_level}, std::uint64_t{own->scars_per_quad}})

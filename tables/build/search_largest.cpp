@@ -130,12 +130,21 @@ flips::MeetingOptions TableSearch::symmetric_collars_for(const canon::Code& code
   return result;
 }
 
+/// The symmetric balls are grown in the step that needs them first, so that a search which is taken
+/// up again in this phase gets on even if it is stopped after every step.
 void TableSearch::symmetric_step() {
   const auto batch = next_largest(per_step(options_.symmetric));
-  if (batch.empty()) return begin(Phase::collars, options_.collared);
+  if (batch.empty()) {
+    symmetric_balls_.reset();
+    return begin(Phase::collars, options_.collared);
+  }
+  if (options_.max_symmetric_ball > 0 && !symmetric_balls_)
+    symmetric_balls_.emplace(options_.symmetric_balls, options_.max_symmetric_ball);
+  const flips::SymmetricBalls* symmetric = symmetric_balls_ ? &*symmetric_balls_ : nullptr;
   adopt_all(batch, [&](const canon::Code& code, int threads) -> std::optional<Found> {
     auto filling = flips::best_symmetric_meeting(
-        flips::BeamBalls(balls_), code, symmetric_collars_for(code, hexahedra(code), threads));
+        flips::BeamBalls(balls_), code, symmetric_collars_for(code, hexahedra(code), threads),
+        symmetric);
     if (!filling) return std::nullopt;
     const bool is_shelled = flips::widest_boundary(filling->mesh) <= flips::kMaxStateQuads;
     return in_order(code, {std::move(filling->mesh), flips::FrontOrigin::met, is_shelled});

@@ -13,7 +13,8 @@ import time
 import program
 
 TARGETS = ("--max-quads", "6", "--also", "two-cubes", "--also", "three-around-an-edge",
-           "--also", "rhombic-dodecahedron", "--per-class", "10", "--growths", "5", "-j", "2")
+           "--also", "rhombic-dodecahedron", "--per-class", "10", "--growths", "5", "-j", "2",
+           "--symmetric-ball-hexahedra", "8", "--symmetric-ball-width", "20")
 OPTIONS = (*TARGETS, "--width", "50", "--max-hexahedra", "12", "--rounds", "2", "--symmetric", "2",
            "--symmetric-width", "20", "--symmetric-hexahedra", "12", "--collared", "2",
            "--collar-width", "50", "--annealed", "1", "--anneal-starts", "3", "--anneal-rounds", "1",

@@ -159,19 +159,22 @@ class Build(program.ProgramTest):
         self.assertEqual(list(found.values()), [None, None, 5, 5])
 
     def test_symmetric_collars(self):
-        # As above: a reflection exchanges two of the five hexahedra.
+        # As above: a reflection exchanges two of the five hexahedra. The last two fill the cavity of the
+        # other two with a symmetric ball.
         code = "q1:0208208a97979797ddff"
         found = {}
-        for options in (("0", "3", "26", "500"), ("5", "2", "26", "500"), ("5", "3", "12", "500"),
-                        ("5", "3", "26", "500"), ("5", "3", "36", "1")):
-            boundaries, thick, widest, width = options
+        for options in (("0", "3", "26", "500", "0"), ("5", "2", "26", "500", "0"), ("5", "3", "12", "500", "0"),
+                        ("5", "3", "26", "500", "0"), ("5", "3", "36", "1", "0"),
+                        ("0", "2", "26", "500", "3"), ("5", "2", "26", "500", "2"), ("5", "2", "26", "500", "3")):
+            boundaries, thick, widest, width, balls = options
             self.hexatlas("table", "build", "-o", "c.hxt", *QUICK[:-4], "--also", code, "--cut", "0",
                           "--max-hexahedra", "2", "--collared", "0", "--symmetric", boundaries,
                           "--symmetric-hexahedra", thick, "--symmetric-widest", widest,
-                          "--symmetric-width", width)
+                          "--symmetric-width", width, "--symmetric-ball-hexahedra", balls,
+                          "--symmetric-ball-width", "100", "--symmetric-ball-widest", "22")
             ran = self.hexatlas("table", "get", "--table", "c.hxt", "--code", code)
             found[options] = json.loads(ran.out)["hexahedra"] if ran.code == 0 else None
-        self.assertEqual(list(found.values()), [None, None, None, 5, 5])
+        self.assertEqual(list(found.values()), [None, None, None, 5, 5, None, None, 5])
 
     def test_annealing(self):
         # Two balls joined along a disc have some 70 hexahedra; the best known mesh has 35.

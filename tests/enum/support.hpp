@@ -179,6 +179,17 @@ inline std::string fault_of_filling(const complex::HexComplex& mesh, const canon
   return oracle::is_shelling(cells) ? "" : "is not listed as a shelling backwards";
 }
 
+/// The boundary of so many hexahedra in a row.
+inline canon::Code code_of_bar(int hexahedra) {
+  std::vector<complex::QuadVertices> quads{{0, 3, 2, 1}};
+  const auto at = [](int layer, int i) { return static_cast<complex::Vertex>(4 * layer + i % 4); };
+  for (int layer = 0; layer < hexahedra; ++layer)
+    for (int i = 0; i < 4; ++i)
+      quads.push_back({at(layer, i), at(layer, i + 1), at(layer + 1, i + 1), at(layer + 1, i)});
+  quads.push_back({at(hexahedra, 0), at(hexahedra, 1), at(hexahedra, 2), at(hexahedra, 3)});
+  return canon::canonical_form(complex::Quadrangulation::from_quads(quads).value()).code;
+}
+
 /// The sum of (degree - 4)^2, the degree of a vertex being the number of its quads.
 inline int irregularity_of(const complex::Quadrangulation& q) {
   std::map<complex::Vertex, int> degree;

@@ -118,17 +118,6 @@ TEST(Meeting, CollarsReachWhatBallsDoNot) {
   EXPECT_GT(found, 10);
 }
 
-/// The boundary of so many hexahedra in a row.
-canon::Code code_of_bar(int hexahedra) {
-  std::vector<complex::QuadVertices> quads{{0, 3, 2, 1}};
-  const auto at = [](int layer, int i) { return static_cast<complex::Vertex>(4 * layer + i % 4); };
-  for (int layer = 0; layer < hexahedra; ++layer)
-    for (int i = 0; i < 4; ++i)
-      quads.push_back({at(layer, i), at(layer, i + 1), at(layer + 1, i + 1), at(layer + 1, i)});
-  quads.push_back({at(hexahedra, 0), at(hexahedra, 1), at(hexahedra, 2), at(hexahedra, 3)});
-  return canon::canonical_form(complex::Quadrangulation::from_quads(quads).value()).code;
-}
-
 TEST(Meeting, SymmetricCollarsFillWhatHasASymmetricMesh) {
   // The single hexahedron is the only ball known: all else is symmetric collar.
   const Beam cube = balls(limits(6, 1, 1), 1);
@@ -139,7 +128,7 @@ TEST(Meeting, SymmetricCollarsFillWhatHasASymmetricMesh) {
                                     {"q1:088a2a5ddf7f", 4U},
                                     {"q1:02228a5d777f", 3U}})
     cases.emplace_back(canon::from_text(text).value(), least);
-  cases.emplace_back(code_of_bar(9), 9);  // 38 quads, more than states without symmetry may have
+  cases.emplace_back(support::code_of_bar(9), 9);  // 38 quads, more than states without symmetry may have
   for (const auto& [code, least] : cases) {
     options.collars.max_quads = std::max(20, int{code.quads});
     const auto filling = flips::best_symmetric_meeting(flips::BeamBalls(cube), code, options);

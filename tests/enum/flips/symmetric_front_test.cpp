@@ -341,7 +341,7 @@ TEST(SymmetricBeam, WithoutLimitsSeesAllThatOrbitsReach) {
         options.max_quads = 16;
         options.fronts_per_class = options.fronts_per_level = 1'000'000;
         options.threads = threads;
-        flips::SymmetricBeam beam(start, options);
+        flips::SymmetricBeam beam({flips::start_of_collars(start)}, flips::Growth::inward, options);
         std::map<SymmetricState, int> seen;
         for (bool has_more = true; has_more && beam.level() <= 6; has_more = beam.expand_level())
           for (const auto& node : beam.nodes()) {
@@ -357,7 +357,8 @@ TEST(SymmetricBeam, WithoutLimitsSeesAllThatOrbitsReach) {
 
 flips::SymmetricBeam spindle_beam(const flips::BeamOptions& options) {
   const auto q = support::boundary_of("q1:088a577f");
-  return {{{q, flips::relation_of_quads(q)}, flips::involutions_of(q)[0].image}, options};
+  const SymmetricFront start{{q, flips::relation_of_quads(q)}, flips::involutions_of(q)[0].image};
+  return {{flips::start_of_collars(start)}, flips::Growth::inward, options};
 }
 
 flips::BeamOptions beam_limits(std::size_t per_class, std::size_t per_level, int threads) {

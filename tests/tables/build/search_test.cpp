@@ -61,6 +61,9 @@ build::SearchOptions small(int threads) {
   options.symmetric.fronts_per_level = 20;
   options.max_symmetric = 8;
   options.symmetrized = 3;
+  options.symmetric_balls.max_quads = 24;
+  options.symmetric_balls.fronts_per_level = 20;
+  options.max_symmetric_ball = 8;
   options.collars.fronts_per_level = 60;
   options.max_collar = 3;
   options.collared = 3;

@@ -1,0 +1,104 @@
+#include "enum/flips/symmetric_balls.hpp"
+
+#include <algorithm>
+
+#include "enum/parallel/parallel_for.hpp"
+
+namespace hexatlas::flips {
+namespace {
+
+/// Balls that no involution takes to themselves orbit by orbit but for larger ones: four hexahedra
+/// around an edge that is the axis of a half-turn are the least.
+constexpr int kStartHexahedra = 5;
+
+SymmetricBeam beam_of(const BeamOptions& options, bool are_mirrored) {
+  return {small_symmetric_balls(kStartHexahedra, are_mirrored), Growth::outward, options};
+}
+
+/// The automorphisms of a boundary that commute with the involution: the ways to see the state as
+/// the canonical one, but for its scars.
+struct Turn {
+  canon::Labelling label{};
+  bool is_mirrored = false;
+};
+std::vector<Turn> turns_of(const SymmetricState& state) {
+  const auto boundary = canon::decode(state.code).value();
+  canon::CanonicalFlags flags;
+  canon::canonical_flags(boundary, flags);
+  std::vector<Turn> result;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(flags.count); ++i) {
+    const Turn turn{canon::labelling_from(boundary, flags.flags[i]), flags.flags[i].mirrored};
+    bool commutes = true;
+    for (std::size_t v = 0; v < static_cast<std::size_t>(boundary.vertices()); ++v)
+      commutes = commutes && state.image[turn.label[v]] == turn.label[state.image[v]];
+    if (commutes) result.push_back(turn);
+  }
+  return result;
+}
+
+}  // namespace
+
+SymmetricBalls::SymmetricBalls(const BeamOptions& options, int max_hexahedra)
+    : threads_(options.threads), beams_{beam_of(options, false), beam_of(options, true)} {
+  for (std::size_t k = 0; k < beams_.size(); ++k) {
+    while (beams_[k].level() <= max_hexahedra && beams_[k].expand_level()) {
+    }
+    const auto balls = beams_[k].expanded();
+    for (std::uint32_t i = 0; i < balls.size(); ++i)
+      by_kind_[k].push_back({balls[i].state.hash_of_class(), i});
+    std::sort(by_kind_[k].begin(), by_kind_[k].end());
+  }
+}
+
+std::size_t SymmetricBalls::size() const noexcept {
+  return beams_[0].expanded().size() + beams_[1].expanded().size();
+}
+
+std::optional<SymmetricFit> SymmetricBalls::least_fit(std::span<const SymmetricBeam::Node> cavities,
+                                                      int below) const {
+  constexpr std::size_t kPerChunk = 512;
+  const SymmetricFit none{.hexahedra = below};
+  std::vector<SymmetricFit> found((cavities.size() + kPerChunk - 1) / kPerChunk, none);
+  parallel::parallel_for(threads_, found.size(), [&](std::size_t c) {
+    const std::size_t end = std::min(cavities.size(), kPerChunk * (c + 1));
+    for (std::size_t i = kPerChunk * c; i < end; ++i) {
+      const int before = found[c].hexahedra;
+      fit_one(cavities[i], found[c]);
+      if (found[c].hexahedra < before) found[c].cavity = i;
+    }
+  });
+  const auto best = std::min_element(
+      found.begin(), found.end(),
+      [](const SymmetricFit& a, const SymmetricFit& b) { return a.hexahedra < b.hexahedra; });
+  if (best == found.end() || best->hexahedra >= below) return std::nullopt;
+  return *best;
+}
+
+/// The entries of a kind ascend by their number of hexahedra.
+void SymmetricBalls::fit_one(const SymmetricBeam::Node& cavity, SymmetricFit& best) const {
+  const std::uint64_t kind = cavity.state.hash_of_class();
+  std::vector<Turn> turns;
+  for (std::size_t k = 0; k < beams_.size(); ++k) {
+    const auto balls = beams_[k].expanded();
+    for (auto at = std::lower_bound(by_kind_[k].begin(), by_kind_[k].end(), Entry{kind, 0});
+         at != by_kind_[k].end() && at->kind == kind; ++at) {
+      const SymmetricBeam::Node& ball = balls[at->ball];
+      if (cavity.level + ball.level >= best.hexahedra) break;
+      if (ball.state.code != cavity.state.code || ball.state.image != cavity.state.image) continue;
+      if (turns.empty()) turns = turns_of(cavity.state);
+      const auto fits = std::find_if(turns.begin(), turns.end(), [&](const Turn& turn) {
+        return ball.state.scars.renamed(turn.label).is_disjoint_from(cavity.state.scars);
+      });
+      if (fits == turns.end()) continue;
+      best = {0, k == 1, at->ball, fits->label, fits->is_mirrored, cavity.level + ball.level};
+      break;
+    }
+  }
+}
+
+Layers SymmetricBalls::layers_of(const SymmetricFit& fit) const {
+  const SymmetricBeam& beam = beams_[fit.is_of_mirrored ? 1 : 0];
+  return beam.layers_to(beam.expanded()[fit.ball]);
+}
+
+}  // namespace hexatlas::flips

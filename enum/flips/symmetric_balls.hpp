@@ -1,0 +1,61 @@
+#pragma once
+/// \file
+/// Balls with an involution, and the cavities of symmetric collars that they fill.
+///
+/// Why. A beam of single hexahedra holds next to nothing with boundaries of 30 quads and more, but
+/// symmetric balls are few: of up to 36 quads and 20 hexahedra all that have a half-turn are some
+/// 100,000. So a collar and a ball can meet at long boundaries, half-way, each of them one of all
+/// there are or of many.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "enum/flips/symmetric_beam.hpp"
+
+namespace hexatlas::flips {
+
+/// A cavity with an involution and a ball that fills it and has the same one. The ball's canonical
+/// boundary vertex v lies at the cavity's turn[v].
+struct SymmetricFit {
+  std::size_t cavity = 0;  ///< its place among those looked up
+  bool is_of_mirrored = false;
+  std::uint32_t ball =
+      0;  ///< its place among the balls whose involution reverses orientation or not
+  canon::Labelling turn{};
+  bool is_mirrored = false;  ///< the turn reverses orientation
+  int hexahedra = 0;         ///< of the collar and the ball
+};
+
+class SymmetricBalls {
+ public:
+  /// Grows them, with at most so many hexahedra; the limits are for half-turns and for what
+  /// reverses orientation, each by itself. Cost: some 100 microseconds for each that is grown from.
+  SymmetricBalls(const BeamOptions& options, int max_hexahedra);
+
+  /// How many were grown from, which are those that fill cavities.
+  [[nodiscard]] std::size_t size() const noexcept;
+
+  /// Of all balls in all these cavities of collars the union with the fewest hexahedra that obeys
+  /// the strict rule, if it has fewer than `below`; of equal ones that of the first cavity.
+  [[nodiscard]] std::optional<SymmetricFit> least_fit(std::span<const SymmetricBeam::Node> cavities,
+                                                      int below) const;
+  [[nodiscard]] Layers layers_of(const SymmetricFit& fit) const;
+
+ private:
+  struct Entry {
+    std::uint64_t kind = 0;  ///< hash of the class
+    std::uint32_t ball = 0;  ///< among those expanded
+    friend auto operator<=>(const Entry&, const Entry&) = default;
+  };
+  void fit_one(const SymmetricBeam::Node& cavity, SymmetricFit& best) const;
+
+  int threads_;
+  std::array<SymmetricBeam, 2> beams_;         ///< half-turns; what reverses orientation
+  std::array<std::vector<Entry>, 2> by_kind_;  ///< ascending
+};
+
+}  // namespace hexatlas::flips

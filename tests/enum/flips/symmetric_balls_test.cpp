@@ -1,0 +1,252 @@
+// Claim. What is grown outwards are balls that their involution takes to themselves, all that
+// orbits reach; of a cavity and all these balls the least union under the strict rule is found.
+// Oracle. Meshes checked by sets, shellings by links; the involution carried over from facet to
+// facet; unions of all pairs.
+#include "enum/flips/symmetric_balls.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "enum/cells/cube_symmetries.hpp"
+#include "enum/flips/matching.hpp"
+#include "enum/flips/meeting.hpp"
+#include "tests/enum/support.hpp"
+#include "tests/share.hpp"
+
+namespace {
+
+using namespace hexatlas;
+using flips::SymmetricBeam;
+
+flips::BeamOptions widths(int max_quads, std::size_t per_level, int threads) {
+  return {.max_quads = max_quads,
+          .fronts_per_class = 1'000,
+          .fronts_per_level = per_level,
+          .threads = threads};
+}
+
+/// The ball as filling_of() gives one: canonical boundary vertices first, a shelling backwards.
+complex::HexComplex mesh_of(const flips::Layers& layers) {
+  std::vector<complex::Hexahedron> cells(layers.hexahedra.rbegin(), layers.hexahedra.rend());
+  complex::HexComplex mesh{layers.vertices, std::move(cells)};
+  if (layers.is_mirrored) mesh = complex::mirrored(std::move(mesh));
+  mesh = complex::renumbered(std::move(mesh), layers.rim);
+  return complex::compacted(std::move(mesh), static_cast<int>(layers.rim.size()));
+}
+
+/// Whether the map of the boundary extends to one of the mesh. The hexahedron at a facet whose
+/// image is known goes to the one at the image; so from the boundary inwards.
+class Extension {
+ public:
+  Extension(const complex::HexComplex& mesh, std::vector<int> image)
+      : mesh_(mesh), image_(std::move(image)), to_(mesh.hexahedra.size(), -1) {
+    image_.resize(mesh.vertices, -1);
+  }
+  [[nodiscard]] bool is_there() {
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t a = 0; a < to_.size(); ++a)
+        if (to_[a] < 0 && find_image(a)) changed = true;
+    }
+    return std::none_of(to_.begin(), to_.end(), [](int to) { return to < 0; }) && is_involution();
+  }
+
+ private:
+  /// A hexahedron with four images known, those of a facet, goes where a turn of some hexahedron
+  /// fits them; two that have the facet in common: to the one that is not taken.
+  bool find_image(std::size_t a) {
+    const auto& cell = mesh_.hexahedra[a];
+    std::size_t known = 0;
+    for (const auto v : cell) known += image_[v] >= 0 ? 1U : 0U;
+    if (known < 4) return false;
+    std::optional<std::pair<std::size_t, const cells::CornerMap*>> only;
+    for (std::size_t b = 0; b < to_.size(); ++b) {
+      if (std::find(to_.begin(), to_.end(), static_cast<int>(b)) != to_.end()) continue;
+      for (const auto& turn : cells::kCubeTables.corner) {
+        bool fits = true;
+        for (std::size_t c = 0; c < cell.size(); ++c) {
+          const int image = image_[cell[c]];
+          fits = fits && (image < 0 || image == static_cast<int>(mesh_.hexahedra[b][turn[c]]));
+        }
+        if (!fits) continue;
+        if (only) return false;  // later, when more is known
+        only.emplace(b, &turn);
+      }
+    }
+    if (!only) return false;
+    to_[a] = static_cast<int>(only->first);
+    for (std::size_t c = 0; c < cell.size(); ++c)
+      image_[cell[c]] = static_cast<int>(mesh_.hexahedra[only->first][(*only->second)[c]]);
+    return true;
+  }
+  [[nodiscard]] bool is_involution() const {
+    bool moves = false;
+    for (std::size_t v = 0; v < image_.size(); ++v) {
+      if (image_[v] < 0 || image_[static_cast<std::size_t>(image_[v])] != static_cast<int>(v))
+        return false;
+      moves = moves || image_[v] != static_cast<int>(v);
+    }
+    return moves;
+  }
+
+  const complex::HexComplex& mesh_;
+  std::vector<int> image_;
+  std::vector<int> to_;
+};
+
+std::vector<int> image_of(const flips::SymmetricState& state) {
+  return {state.image.begin(), state.image.begin() + state.code.quads + 2};
+}
+
+TEST(SymmetricBalls, AreBallsWithTheirInvolution) {
+  for (const bool are_mirrored : {false, true}) {
+    SymmetricBeam beam(flips::small_symmetric_balls(4, are_mirrored), flips::Growth::outward,
+                       widths(26, 30, 2));
+    std::map<int, int> checked;
+    for (int level = 0; level <= 11; ++level, (void)beam.expand_level())
+      for (const SymmetricBeam::Node& node : beam.nodes()) {
+        if (checked[level]++ % (3 * support::kStride) != 0) continue;
+        const auto mesh = mesh_of(beam.layers_to(node));
+        ASSERT_EQ(static_cast<int>(mesh.hexahedra.size()), node.level);
+        ASSERT_EQ(support::fault_of_filling(mesh, node.state.code), "");
+        ASSERT_TRUE(Extension(mesh, image_of(node.state)).is_there())
+            << canon::to_text(node.state.code) << " of " << level;
+        if (node.state.code.quads > flips::kMaxStateQuads) continue;
+        EXPECT_EQ(flips::scars_of(mesh, canon::decode(node.state.code).value()),
+                  node.state.scars.as<flips::kMaxStateQuads>());
+      }
+    EXPECT_GT(checked[11], 60);
+    EXPECT_TRUE(beam.expanded().front().is_start());
+  }
+}
+
+TEST(SymmetricBalls, AreAllThatOrbitsReachFromTheirStarts) {
+  for (const bool are_mirrored : {false, true}) {
+    auto starts = flips::small_symmetric_balls(3, are_mirrored);
+    std::map<flips::SymmetricState, int> least;
+    for (const auto& start : starts)
+      least.emplace(flips::canonical_state(start.front).state,
+                    static_cast<int>(start.layers.hexahedra.size()));
+    for (int h = 0; h < 8; ++h)
+      for (const auto& [state, level] : std::map(least)) {
+        if (level != h) continue;
+        flips::for_each_glueable_orbit(flips::front_of(state), 22, [&](const auto& orbit) {
+          int& known = least.emplace(flips::canonical_state(orbit.made).state, 99).first->second;
+          known = std::min(known, h + orbit.orbit.size);
+        });
+      }
+    std::erase_if(least, [](const auto& entry) { return entry.second > 8; });
+    SymmetricBeam beam(std::move(starts), flips::Growth::outward, widths(22, 100'000, 2));
+    std::map<flips::SymmetricState, int> seen;
+    for (int level = 0; level <= 8; ++level, (void)beam.expand_level())
+      for (const auto& node : beam.nodes())
+        EXPECT_TRUE(seen.emplace(node.state, node.level).second);
+    EXPECT_TRUE(beam.is_exhaustive());
+    EXPECT_EQ(seen, least);
+    EXPECT_GT(seen.size(), 50U);
+  }
+}
+
+/// The least number of hexahedra of a union under the strict rule, tried with all ways to turn a
+/// ball.
+int least_union(const SymmetricBeam& collars, const SymmetricBeam::Node& cavity,
+                const SymmetricBeam& balls, const canon::Code& target) {
+  int least = 1'000;
+  const auto boundary = canon::decode(cavity.state.code).value();
+  canon::CanonicalFlags flags;
+  canon::canonical_flags(boundary, flags);
+  for (const SymmetricBeam::Node& ball : balls.expanded()) {
+    if (ball.state.code != cavity.state.code || ball.level + cavity.level >= least) continue;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(flags.count); ++i) {
+      const auto turn = canon::labelling_from(boundary, flags.flags[i]);
+      bool keeps = true;
+      for (int v = 0; v < boundary.vertices(); ++v) {
+        const auto at = static_cast<std::size_t>(v);
+        keeps = keeps && cavity.state.image[turn[at]] == turn[ball.state.image[at]];
+      }
+      if (!keeps) continue;
+      const auto mesh = flips::filled(collars.layers_to(cavity), balls.layers_to(ball), turn,
+                                      flags.flags[i].mirrored, target.quads);
+      if (support::fault_of_mesh(mesh, target).empty()) least = ball.level + cavity.level;
+    }
+  }
+  return least;
+}
+
+TEST(SymmetricBalls, LeastFitIsThatOfAllPairs) {
+  constexpr int kMost = 9;
+  const auto options = widths(20, 60, 1);
+  const flips::SymmetricBalls balls(options, kMost);
+  std::vector<SymmetricBeam> oracle;
+  for (const bool are_mirrored : {false, true}) {
+    auto& beam = oracle.emplace_back(flips::small_symmetric_balls(5, are_mirrored),
+                                     flips::Growth::outward, options);
+    for (int level = 0; level <= kMost; ++level) (void)beam.expand_level();
+  }
+  EXPECT_EQ(balls.size(), oracle[0].expanded().size() + oracle[1].expanded().size());
+  int with = 0, without = 0, cases = 0;
+  for (const char* text : {"q1:022972977f", "q1:088a2a5ddf7f", "q1:02228a5d777f",
+                           "q1:0208a5e4a5df7f", "q1:022222a575df7f", "q1:0888a55dff"}) {
+    const auto code = canon::from_text(text).value();
+    for (const auto& start : flips::symmetric_fronts(canon::decode(code).value(), {})) {
+      SymmetricBeam collars({flips::start_of_collars(start)}, flips::Growth::inward,
+                            widths(20, 20, 1));
+      for (int level = 0; level <= 4; ++level, (void)collars.expand_level())
+        for (const auto& cavity : collars.nodes()) {
+          if (cases++ % (2 * support::kStride) != 0) continue;
+          int expected = 1'000;
+          for (const auto& beam : oracle)
+            expected = std::min(expected, least_union(collars, cavity, beam, code));
+          const auto fit = balls.least_fit({&cavity, 1}, 1'000);
+          ASSERT_EQ(fit ? fit->hexahedra : 1'000, expected) << text << " " << level;
+          ++(fit ? with : without);
+          if (!fit) continue;
+          EXPECT_FALSE(balls.least_fit({&cavity, 1}, fit->hexahedra).has_value());
+          const auto mesh = flips::filled(collars.layers_to(cavity), balls.layers_of(*fit),
+                                          fit->turn, fit->is_mirrored, code.quads);
+          EXPECT_EQ(support::fault_of_filling(mesh, code), "");
+        }
+    }
+  }
+  EXPECT_GT(with, 20);
+  EXPECT_GT(without, 20);
+}
+
+TEST(SymmetricBalls, FillWhereNoOtherBallIsKnown) {
+  // Seven hexahedra in a row have 30 quads; collars of two leave five or six of them.
+  flips::Beam cube(flips::canonical_state(flips::single_hexahedron()).state, widths(6, 1, 1));
+  const auto code = support::code_of_bar(7);
+  const flips::MeetingOptions options{.collars = widths(30, 100, 1), .max_collar = 2};
+  EXPECT_FALSE(flips::best_symmetric_meeting(flips::BeamBalls(cube), code, options).has_value());
+  const flips::SymmetricBalls balls(widths(26, 5'000, 2), 6);
+  const auto filling = flips::best_symmetric_meeting(flips::BeamBalls(cube), code, options, &balls);
+  ASSERT_TRUE(filling.has_value());
+  EXPECT_EQ(filling->mesh.hexahedra.size(), 7U);
+  EXPECT_EQ(support::fault_of_filling(filling->mesh, code), "");
+}
+
+TEST(SymmetricBalls, AreTheSameForAnyNumberOfThreads) {
+  const auto code = canon::from_text("q1:0208a5e4a5df7f").value();
+  std::vector<flips::SymmetricFit> fits;
+  for (const int threads : {1, 3}) {
+    const flips::SymmetricBalls balls(widths(22, 50, threads), 10);
+    const auto start = flips::symmetric_fronts(canon::decode(code).value(), {}).front();
+    SymmetricBeam collars({flips::start_of_collars(start)}, flips::Growth::inward,
+                          widths(22, 500, threads));
+    for (int level = 0; level < 4; ++level) (void)collars.expand_level();
+    const auto fit = balls.least_fit(collars.nodes(), 100);
+    ASSERT_TRUE(fit.has_value());
+    fits.push_back(*fit);
+  }
+  EXPECT_EQ(fits[0].cavity, fits[1].cavity);
+  EXPECT_EQ(fits[0].ball, fits[1].ball);
+  EXPECT_EQ(fits[0].hexahedra, fits[1].hexahedra);
+}
+
+}  // namespace
