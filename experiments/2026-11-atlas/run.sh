@@ -192,7 +192,18 @@ if [[ "${1:-}" == --search ]]; then
   fronts=6000000 each=40 preferring=1 faulty_from hexatlas-wide-26.hxt 20261227 9 400 hexatlas-wide-24.hxt 24 "${irregular[@]}"
   fronts=9000000 each=200 preferring=1 faulty_from hexatlas-wide-24.hxt 20261228 9 400 hexatlas-more-24.hxt 24 "${irregular[@]}"
   fronts=8000000 each=400 preferring=1 faulty_from hexatlas-more-24.hxt 20261230 9 400 hexatlas-wide-22.hxt 22 "${irregular[@]}"
-  fronts=9000000 each=1000 preferring=0 faulty_from hexatlas-wide-22.hxt 20270101 9 400 hexatlas.hxt 22 "${irregular[@]}"
+  fronts=9000000 each=1000 preferring=0 faulty_from hexatlas-wide-22.hxt 20270101 9 400 hexatlas-more-22.hxt 22 "${irregular[@]}"
+  # Symmetric balls: for all boundaries that have an involution, then, with more of them, for the nine above 50. Then a sweep.
+  symmetric=(--width 1 --per-class 1 --max-hexahedra 1 --rounds 1 --growths 0 --cut 0 --collared 0 --symmetric-narrow 0
+    --symmetric-widest 36 --symmetric-ball-widest 36 --symmetric-ball-hexahedra 30)
+  "$program" table build -o symmetric-all.hxt --start-from hexatlas-more-22.hxt "${symmetric[@]}" --seed 20270104 \
+    --symmetric 3400 --symmetric-hexahedra 10 --symmetric-width 100 --symmetric-ball-width 40000
+  "$program" table build -o symmetric-nine.hxt --start-from hexatlas-more-22.hxt "${symmetric[@]}" --seed 1 \
+    --symmetric 9 --symmetric-hexahedra 26 --symmetric-width 20000 --symmetric-ball-width 100000
+  "$program" table build -o swept.hxt --start-from hexatlas-more-22.hxt symmetric-nine.hxt symmetric-all.hxt "${quiet[@]}" \
+    --width 6000000 --per-class 60 --seed 20270105 --memory 17 --max-hexahedra 47
+  "$program" table build -o hexatlas.hxt --start-from hexatlas-more-22.hxt symmetric-nine.hxt symmetric-all.hxt swept.hxt \
+    "${last[@]/20261126/20270105}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
