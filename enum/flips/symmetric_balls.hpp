@@ -3,9 +3,9 @@
 /// Balls with an involution, and the cavities of symmetric collars that they fill.
 ///
 /// Why. A beam of single hexahedra holds next to nothing with boundaries of 30 quads and more, but
-/// symmetric balls are few: of up to 36 quads and 20 hexahedra all that have a half-turn are some
-/// 100,000. So a collar and a ball can meet at long boundaries, half-way, each of them one of all
-/// there are or of many.
+/// symmetric balls are few: of 20 hexahedra, with up to 36 quads on the way, those that have a
+/// half-turn have 154,056 states. So a collar and a ball can meet at long boundaries, half-way,
+/// each of them one of all there are or of many.
 
 #include <array>
 #include <cstddef>
