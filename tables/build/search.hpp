@@ -61,8 +61,8 @@ struct SearchOptions {
   std::size_t symmetrized = 50;  ///< boundaries per round
   /// Symmetric balls that fill the cavities of such collars, beside the balls known.
   flips::BeamOptions symmetric_balls{
-      .max_quads = 36, .fronts_per_class = 200, .fronts_per_level = 2'000};
-  int max_symmetric_ball = 28;  ///< hexahedra; 0: there are none
+      .max_quads = 36, .fronts_per_class = 200, .fronts_per_level = 500};
+  int max_symmetric_ball = 24;  ///< hexahedra; 0: there are none
   /// Some boundaries have no flip that adds less than four quads; those around two vertices of high
   /// degree have no short way back to fewer.
   flips::BeamOptions collars{

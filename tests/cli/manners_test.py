@@ -17,7 +17,8 @@ from table_files import TableTest
 
 VERBS = (["mesh", "hex"], ["view"], ["check"], ["code"], ["table", "info"], ["table", "get"],
          ["table", "check"], ["table", "build"])
-BUILD = ("table", "build", "-o", "a.hxt", "--max-quads", "6", "--max-hexahedra", "3", "--width", "50", "--rounds", "1", "--collared", "0")
+BUILD = ("table", "build", "-o", "a.hxt", "--max-quads", "6", "--max-hexahedra", "3", "--width", "50", "--rounds", "1", "--collared", "0",
+         "--symmetric-ball-hexahedra", "0")
 
 
 class Help(TableTest):

@@ -35,7 +35,8 @@ class Build(program.ProgramTest):
     def test_start_from_tables_and_a_search(self):
         self.build("a.hxt", "--state", "a.state")
         no_search = ("--max-quads", "6", "--also", "two-cubes", "--width", "100", "--rounds", "1",
-                     "--max-hexahedra", "1", "--growths", "0", "--cut", "0", "--collared", "0")
+                     "--max-hexahedra", "1", "--growths", "0", "--cut", "0", "--collared", "0",
+                     "--symmetric-ball-hexahedra", "0")
         for files, said in ((["a.hxt"], "a.hxt: 1 mesh taken over\n"),
                             (["a.state", "a.hxt"], "a.hxt: 0 meshes taken over\n"),
                             (["a.state"], "")):
