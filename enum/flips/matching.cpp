@@ -7,6 +7,16 @@
 
 namespace hexatlas::flips {
 
+std::vector<Automorphism> automorphisms_of(const canon::Code& code) {
+  const auto boundary = canon::decode(code).value();
+  canon::CanonicalFlags flags;
+  canon::canonical_flags(boundary, flags);
+  std::vector<Automorphism> result;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(flags.count); ++i)
+    result.push_back({canon::labelling_from(boundary, flags.flags[i]), flags.flags[i].mirrored});
+  return result;
+}
+
 std::optional<Meeting> Matcher::match(std::span<const Cavity> cavities) {
   for (const Cavity& cavity : cavities) add_class(cavity);
   constexpr std::size_t kPerChunk = 512;
@@ -39,12 +49,7 @@ void Matcher::add_class(const Cavity& cavity) {
   if (!is_new) return;
   Fillings& own = place->second;
   own.balls = balls_.balls_with(code);
-  const auto boundary = canon::decode(code).value();
-  canon::CanonicalFlags flags;
-  canon::canonical_flags(boundary, flags);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(flags.count); ++i)
-    own.automorphisms.push_back(
-        {canon::labelling_from(boundary, flags.flags[i]), flags.flags[i].mirrored});
+  own.automorphisms = automorphisms_of(code);
   for (std::uint32_t ball = 0; ball < own.balls.size(); ++ball)
     for (std::uint32_t turn = 0; turn < own.automorphisms.size(); ++turn)
       own.positions.push_back(

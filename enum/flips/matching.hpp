@@ -29,6 +29,14 @@ struct Meeting {
   int hexahedra = 0;         ///< of the collar and the ball
 };
 
+/// An automorphism of a canonical list of quads: the image of each vertex.
+struct Automorphism {
+  canon::Labelling label{};
+  bool is_mirrored = false;  ///< it reverses orientation
+};
+/// All of them. Requires a code that can be decoded.
+[[nodiscard]] std::vector<Automorphism> automorphisms_of(const canon::Code& code);
+
 class Matcher {
  public:
   /// `balls` must outlive this. Only meetings with fewer than `below` hexahedra are of interest.
@@ -49,10 +57,6 @@ class Matcher {
       Scars scars;
       std::uint32_t ball = 0;  ///< index into `balls`
       std::uint32_t turn = 0;  ///< index into `automorphisms`
-    };
-    struct Automorphism {
-      canon::Labelling label{};  ///< of the canonical list: the image of each vertex
-      bool is_mirrored = false;
     };
     std::vector<KnownBall> balls;
     std::vector<Automorphism> automorphisms;

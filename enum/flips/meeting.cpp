@@ -49,7 +49,8 @@ std::optional<Filling> symmetric_meeting(const BallSource& balls, const Symmetri
       best = assembled(balls, collars.layers_to(collars.nodes()[here.node[meeting->cavity]]),
                        *meeting, start.front.boundary.quads());
     if (symmetric_balls != nullptr)
-      if (const auto fit = symmetric_balls->least_fit(collars.nodes(), matcher.below())) {
+      if (const auto fit = symmetric_balls->least_fit(collars.nodes(), matcher.below(),
+                                                      options.collars.threads)) {
         best = Filling{filled(collars.layers_to(collars.nodes()[fit->cavity]),
                               symmetric_balls->layers_of(*fit), fit->turn, fit->is_mirrored,
                               start.front.boundary.quads())};

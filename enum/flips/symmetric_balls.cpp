@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "enum/flips/matching.hpp"
 #include "enum/parallel/parallel_for.hpp"
 
 namespace hexatlas::flips {
@@ -17,29 +18,20 @@ SymmetricBeam beam_of(const BeamOptions& options, bool are_mirrored) {
 
 /// The automorphisms of a boundary that commute with the involution: the ways to see the state as
 /// the canonical one, but for its scars.
-struct Turn {
-  canon::Labelling label{};
-  bool is_mirrored = false;
-};
-std::vector<Turn> turns_of(const SymmetricState& state) {
-  const auto boundary = canon::decode(state.code).value();
-  canon::CanonicalFlags flags;
-  canon::canonical_flags(boundary, flags);
-  std::vector<Turn> result;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(flags.count); ++i) {
-    const Turn turn{canon::labelling_from(boundary, flags.flags[i]), flags.flags[i].mirrored};
-    bool commutes = true;
-    for (std::size_t v = 0; v < static_cast<std::size_t>(boundary.vertices()); ++v)
-      commutes = commutes && state.image[turn.label[v]] == turn.label[state.image[v]];
-    if (commutes) result.push_back(turn);
-  }
+std::vector<Automorphism> turns_of(const SymmetricState& state) {
+  std::vector<Automorphism> result = automorphisms_of(state.code);
+  std::erase_if(result, [&](const Automorphism& turn) {
+    for (std::size_t v = 0; v < state.code.quads + std::size_t{2}; ++v)
+      if (state.image[turn.label[v]] != turn.label[state.image[v]]) return true;
+    return false;
+  });
   return result;
 }
 
 }  // namespace
 
 SymmetricBalls::SymmetricBalls(const BeamOptions& options, int max_hexahedra)
-    : threads_(options.threads), beams_{beam_of(options, false), beam_of(options, true)} {
+    : beams_{beam_of(options, false), beam_of(options, true)} {
   for (std::size_t k = 0; k < beams_.size(); ++k) {
     while (beams_[k].level() <= max_hexahedra && beams_[k].expand_level()) {
     }
@@ -55,11 +47,11 @@ std::size_t SymmetricBalls::size() const noexcept {
 }
 
 std::optional<SymmetricFit> SymmetricBalls::least_fit(std::span<const SymmetricBeam::Node> cavities,
-                                                      int below) const {
+                                                      int below, int threads) const {
   constexpr std::size_t kPerChunk = 512;
   const SymmetricFit none{.hexahedra = below};
   std::vector<SymmetricFit> found((cavities.size() + kPerChunk - 1) / kPerChunk, none);
-  parallel::parallel_for(threads_, found.size(), [&](std::size_t c) {
+  parallel::parallel_for(threads, found.size(), [&](std::size_t c) {
     const std::size_t end = std::min(cavities.size(), kPerChunk * (c + 1));
     for (std::size_t i = kPerChunk * c; i < end; ++i) {
       const int before = found[c].hexahedra;
@@ -77,7 +69,7 @@ std::optional<SymmetricFit> SymmetricBalls::least_fit(std::span<const SymmetricB
 /// The entries of a kind ascend by their number of hexahedra.
 void SymmetricBalls::fit_one(const SymmetricBeam::Node& cavity, SymmetricFit& best) const {
   const std::uint64_t kind = cavity.state.hash_of_class();
-  std::vector<Turn> turns;
+  std::vector<Automorphism> turns;
   for (std::size_t k = 0; k < beams_.size(); ++k) {
     const auto balls = beams_[k].expanded();
     for (auto at = std::lower_bound(by_kind_[k].begin(), by_kind_[k].end(), Entry{kind, 0});
@@ -86,7 +78,7 @@ void SymmetricBalls::fit_one(const SymmetricBeam::Node& cavity, SymmetricFit& be
       if (cavity.level + ball.level >= best.hexahedra) break;
       if (ball.state.code != cavity.state.code || ball.state.image != cavity.state.image) continue;
       if (turns.empty()) turns = turns_of(cavity.state);
-      const auto fits = std::find_if(turns.begin(), turns.end(), [&](const Turn& turn) {
+      const auto fits = std::find_if(turns.begin(), turns.end(), [&](const Automorphism& turn) {
         return ball.state.scars.renamed(turn.label).is_disjoint_from(cavity.state.scars);
       });
       if (fits == turns.end()) continue;

@@ -21,10 +21,9 @@ namespace hexatlas::flips {
 /// A cavity with an involution and a ball that fills it and has the same one. The ball's canonical
 /// boundary vertex v lies at the cavity's turn[v].
 struct SymmetricFit {
-  std::size_t cavity = 0;  ///< its place among those looked up
-  bool is_of_mirrored = false;
-  std::uint32_t ball =
-      0;  ///< its place among the balls whose involution reverses orientation or not
+  std::size_t cavity = 0;       ///< its place among those looked up
+  bool is_of_mirrored = false;  ///< the involution reverses orientation
+  std::uint32_t ball = 0;       ///< its place among the balls of its kind
   canon::Labelling turn{};
   bool is_mirrored = false;  ///< the turn reverses orientation
   int hexahedra = 0;         ///< of the collar and the ball
@@ -40,9 +39,10 @@ class SymmetricBalls {
   [[nodiscard]] std::size_t size() const noexcept;
 
   /// Of all balls in all these cavities of collars the union with the fewest hexahedra that obeys
-  /// the strict rule, if it has fewer than `below`; of equal ones that of the first cavity.
+  /// the strict rule, if it has fewer than `below`; of equal ones that of the first cavity,
+  /// for any number of threads.
   [[nodiscard]] std::optional<SymmetricFit> least_fit(std::span<const SymmetricBeam::Node> cavities,
-                                                      int below) const;
+                                                      int below, int threads) const;
   [[nodiscard]] Layers layers_of(const SymmetricFit& fit) const;
 
  private:
@@ -53,7 +53,6 @@ class SymmetricBalls {
   };
   void fit_one(const SymmetricBeam::Node& cavity, SymmetricFit& best) const;
 
-  int threads_;
   std::array<SymmetricBeam, 2> beams_;         ///< half-turns; what reverses orientation
   std::array<std::vector<Entry>, 2> by_kind_;  ///< ascending
 };

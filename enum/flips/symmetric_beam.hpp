@@ -33,8 +33,8 @@ struct SymmetricStart {
 /// No hexahedra, the boundary being that of the front.
 [[nodiscard]] SymmetricStart start_of_collars(const SymmetricFront& front);
 
-/// All shellable balls of at most so many hexahedra that have an involution, with each one up to
-/// conjugacy: the ones that reverse the orientation, or the half-turns. Cost: that of a search
+/// All shellable balls of at most so many hexahedra whose state has an involution, with each one up
+/// to conjugacy: the ones that reverse the orientation, or the half-turns. Cost: that of a search
 /// without limits for all shellable balls, seconds for 6 hexahedra.
 [[nodiscard]] std::vector<SymmetricStart> small_symmetric_balls(int max_hexahedra,
                                                                 bool are_mirrored);

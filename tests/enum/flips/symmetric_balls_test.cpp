@@ -203,11 +203,11 @@ TEST(SymmetricBalls, LeastFitIsThatOfAllPairs) {
           int expected = 1'000;
           for (const auto& beam : oracle)
             expected = std::min(expected, least_union(collars, cavity, beam, code));
-          const auto fit = balls.least_fit({&cavity, 1}, 1'000);
+          const auto fit = balls.least_fit({&cavity, 1}, 1'000, 1);
           ASSERT_EQ(fit ? fit->hexahedra : 1'000, expected) << text << " " << level;
           ++(fit ? with : without);
           if (!fit) continue;
-          EXPECT_FALSE(balls.least_fit({&cavity, 1}, fit->hexahedra).has_value());
+          EXPECT_FALSE(balls.least_fit({&cavity, 1}, fit->hexahedra, 1).has_value());
           const auto mesh = flips::filled(collars.layers_to(cavity), balls.layers_of(*fit),
                                           fit->turn, fit->is_mirrored, code.quads);
           EXPECT_EQ(support::fault_of_filling(mesh, code), "");
@@ -240,7 +240,7 @@ TEST(SymmetricBalls, AreTheSameForAnyNumberOfThreads) {
     SymmetricBeam collars({flips::start_of_collars(start)}, flips::Growth::inward,
                           widths(22, 500, threads));
     for (int level = 0; level < 4; ++level) (void)collars.expand_level();
-    const auto fit = balls.least_fit(collars.nodes(), 100);
+    const auto fit = balls.least_fit(collars.nodes(), 100, threads);
     ASSERT_TRUE(fit.has_value());
     fits.push_back(*fit);
   }
