@@ -27,6 +27,11 @@ if(HEXATLAS_SANITIZE)
   add_compile_options(-fsanitize=${HEXATLAS_SANITIZE} -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${HEXATLAS_SANITIZE})
+  # AddressSanitizer looks at each access itself; to look at its pointer as well takes a third of
+  # the compiler's time.
+  if(HEXATLAS_SANITIZE MATCHES "address" AND HEXATLAS_SANITIZE MATCHES "undefined")
+    add_compile_options(-fno-sanitize=pointer-overflow,null,object-size)
+  endif()
   if(HEXATLAS_FUZZ)
     add_compile_options(-fsanitize=fuzzer-no-link)
   endif()
