@@ -332,7 +332,8 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
          "with a symmetry or without, of as many dual classes as there are");
   effort("--anneal-faulty", search.anneal_faulty, std::size_t{0}, std::size_t{100'000},
          "Further meshes that it begins with: balls in collars that do not quite fit, so that the "
-         "mesh breaks the strict rule in a few places; and as many with symmetric collars");
+         "mesh breaks the strict rule in a few places; as many with symmetric collars, and as many "
+         "with symmetric balls in these");
   effort("--anneal-cut", search.anneal_cut, std::size_t{0}, std::size_t{100'000},
          "And more such meshes: two balls, side by side, in collars that do not quite fit");
   effort("--anneal-rounds", search.anneal_rounds, 1, 10'000'000,

@@ -103,26 +103,57 @@ std::vector<FaultyMesh> faulty_meetings(const Beam& balls, const canon::Code& ta
 }
 
 std::vector<FaultyMesh> faulty_symmetric_meetings(const Beam& balls, const canon::Code& target,
-                                                  const FaultyMeetingOptions& options) {
+                                                  const FaultyMeetingOptions& options,
+                                                  const SymmetricBalls* symmetric_balls) {
+  struct CavityAt {
+    const SymmetricBeam* collars;
+    SymmetricBeam::Node node;
+  };
+  struct InCavity {
+    std::uint32_t cavity;
+    SymmetricPairing pairing;
+  };
   Pairings pairings(balls, options);
+  FaultyKinds<InCavity> symmetric;
   std::deque<SymmetricBeam> searches;  // one for each involution
-  std::vector<std::pair<const SymmetricBeam*, SymmetricBeam::Node>> cavities;
+  std::vector<CavityAt> cavities;
+  const auto add_symmetric = [&](const SymmetricBeam::Node& node) {
+    bool has_any = false;
+    symmetric_balls->for_each_pairing(
+        node, options.wanted, [&](const SymmetricPairing& pairing, int hexahedra, int faults) {
+          symmetric.add(faults, hexahedra, {static_cast<std::uint32_t>(cavities.size()), pairing});
+          has_any = true;
+        });
+    return has_any;
+  };
   for (const SymmetricFront& start : symmetric_fronts(boundary_of(target), {})) {
     SymmetricBeam& collars = searches.emplace_back(std::vector{start_of_collars(start)},
                                                    Growth::inward, options.collars);
     for (bool has_more = true; has_more; has_more = collars.expand_level()) {
       for (const SymmetricBeam::Node& node : collars.nodes()) {
         const auto cavity = state_without_symmetry(node.state);
-        if (cavity && pairings.add(*cavity, collars.level(), cavities.size()))
-          cavities.emplace_back(&collars, node);
+        bool has_any = cavity && pairings.add(*cavity, collars.level(), cavities.size());
+        if (symmetric_balls != nullptr && add_symmetric(node)) has_any = true;
+        if (has_any) cavities.push_back({&collars, node});
       }
       if (collars.level() == options.max_collar) break;
     }
   }
-  return pairings.drawn(target.quads, [&](std::size_t place) {
-    const auto& [collars, node] = cavities[place];
-    return collars->layers_to(node);
+  auto result = pairings.drawn(target.quads, [&](std::size_t place) {
+    return cavities[place].collars->layers_to(cavities[place].node);
   });
+  core::Random random(options.collars.seed);
+  for (std::size_t count = 0; count < options.wanted.count; ++count) {
+    const auto next = symmetric.draw(random);
+    if (!next) break;
+    const auto& [collars, node] = cavities[next->first.cavity];
+    const SymmetricFit fit = symmetric_balls->fit_of(node, next->first.pairing);
+    auto mesh = filled(collars->layers_to(node), symmetric_balls->layers_of(fit), fit.turn,
+                       fit.is_mirrored, target.quads);
+    if (SubBall::neighbours_if_complex(mesh, target.quads))
+      result.push_back({std::move(mesh), next->second});
+  }
+  return result;
 }
 
 }  // namespace hexatlas::flips

@@ -14,6 +14,7 @@
 #include "enum/canon/code.hpp"
 #include "enum/flips/beam.hpp"
 #include "enum/flips/faults.hpp"
+#include "enum/flips/symmetric_balls.hpp"
 #include "enum/flips/walk.hpp"
 
 namespace hexatlas::flips {
@@ -38,7 +39,10 @@ struct FaultyMeetingOptions {
 /// (symmetric_beam.hpp), for each involution in turn; the balls need no symmetry. None for a
 /// boundary without an involution. Of the options collars.use_dominance does nothing here, and
 /// collars.max_quads is at most kMaxSymmetricQuads; a cavity has at most kMaxStateQuads.
+/// `symmetric_balls`, if given, fill as well the cavities that have their involution, with up to
+/// kMaxSymmetricQuads; of these meetings those without a fault may be drawn, too.
 [[nodiscard]] std::vector<FaultyMesh> faulty_symmetric_meetings(
-    const Beam& balls, const canon::Code& target, const FaultyMeetingOptions& options);
+    const Beam& balls, const canon::Code& target, const FaultyMeetingOptions& options,
+    const SymmetricBalls* symmetric_balls = nullptr);
 
 }  // namespace hexatlas::flips

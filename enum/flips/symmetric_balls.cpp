@@ -67,25 +67,59 @@ std::optional<SymmetricFit> SymmetricBalls::least_fit(std::span<const SymmetricB
 }
 
 /// The entries of a kind ascend by their number of hexahedra.
-void SymmetricBalls::fit_one(const SymmetricBeam::Node& cavity, SymmetricFit& best) const {
+template <class OfKind>
+void SymmetricBalls::for_each_of_kind(const SymmetricBeam::Node& cavity, OfKind&& visit) const {
   const std::uint64_t kind = cavity.state.hash_of_class();
-  std::vector<Automorphism> turns;
   for (std::size_t k = 0; k < beams_.size(); ++k) {
     const auto balls = beams_[k].expanded();
     for (auto at = std::lower_bound(by_kind_[k].begin(), by_kind_[k].end(), Entry{kind, 0});
          at != by_kind_[k].end() && at->kind == kind; ++at) {
-      const SymmetricBeam::Node& ball = balls[at->ball];
-      if (cavity.level + ball.level >= best.hexahedra) break;
-      if (ball.state.code != cavity.state.code || ball.state.image != cavity.state.image) continue;
-      if (turns.empty()) turns = turns_of(cavity.state);
-      const auto fits = std::find_if(turns.begin(), turns.end(), [&](const Automorphism& turn) {
-        return ball.state.scars.renamed(turn.label).is_disjoint_from(cavity.state.scars);
-      });
-      if (fits == turns.end()) continue;
-      best = {0, k == 1, at->ball, fits->label, fits->is_mirrored, cavity.level + ball.level};
-      break;
+      const SymmetricState& own = balls[at->ball].state;
+      if (own.code != cavity.state.code || own.image != cavity.state.image) continue;
+      if (!visit(k, at->ball)) break;
     }
   }
+}
+
+void SymmetricBalls::fit_one(const SymmetricBeam::Node& cavity, SymmetricFit& best) const {
+  std::vector<Automorphism> turns;
+  for_each_of_kind(cavity, [&](std::size_t k, std::uint32_t place) {
+    const SymmetricBeam::Node& ball = beams_[k].expanded()[place];
+    if (cavity.level + ball.level >= best.hexahedra) return false;
+    if (turns.empty()) turns = turns_of(cavity.state);
+    const auto fits = std::find_if(turns.begin(), turns.end(), [&](const Automorphism& turn) {
+      return ball.state.scars.renamed(turn.label).is_disjoint_from(cavity.state.scars);
+    });
+    if (fits == turns.end()) return true;
+    best = {0, k == 1, place, fits->label, fits->is_mirrored, cavity.level + ball.level};
+    return false;
+  });
+}
+
+void SymmetricBalls::for_each_pairing(const SymmetricBeam::Node& cavity, const FaultyWanted& wanted,
+                                      const Visit& visit) const {
+  std::vector<Automorphism> turns;
+  for_each_of_kind(cavity, [&](std::size_t k, std::uint32_t place) {
+    const SymmetricBeam::Node& ball = beams_[k].expanded()[place];
+    const int hexahedra = cavity.level + ball.level;
+    if (!wanted.includes(hexahedra, 0)) return false;
+    if (turns.empty()) turns = turns_of(cavity.state);
+    for (std::size_t t = 0; t < turns.size(); ++t) {
+      const int faults =
+          ball.state.scars.renamed(turns[t].label).size_in_common(cavity.state.scars);
+      if (wanted.includes(hexahedra, faults))
+        visit({place, static_cast<std::uint16_t>(t), k == 1}, hexahedra, faults);
+    }
+    return true;
+  });
+}
+
+SymmetricFit SymmetricBalls::fit_of(const SymmetricBeam::Node& cavity,
+                                    const SymmetricPairing& pairing) const {
+  const Automorphism turn = turns_of(cavity.state)[pairing.turn];
+  const auto& ball = beams_[pairing.is_of_mirrored ? 1 : 0].expanded()[pairing.ball];
+  return {0,          pairing.is_of_mirrored, pairing.ball,
+          turn.label, turn.is_mirrored,       cavity.level + ball.level};
 }
 
 Layers SymmetricBalls::layers_of(const SymmetricFit& fit) const {

@@ -10,10 +10,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "enum/flips/faults.hpp"
 #include "enum/flips/symmetric_beam.hpp"
 
 namespace hexatlas::flips {
@@ -27,6 +29,13 @@ struct SymmetricFit {
   canon::Labelling turn{};
   bool is_mirrored = false;  ///< the turn reverses orientation
   int hexahedra = 0;         ///< of the collar and the ball
+};
+
+/// A ball in a cavity of its kind, whatever they have in common. There may be millions.
+struct SymmetricPairing {
+  std::uint32_t ball = 0;       ///< as in SymmetricFit
+  std::uint16_t turn = 0;       ///< among the turns that the cavity has
+  bool is_of_mirrored = false;  ///< as in SymmetricFit
 };
 
 class SymmetricBalls {
@@ -45,12 +54,25 @@ class SymmetricBalls {
                                                       int below, int threads) const;
   [[nodiscard]] Layers layers_of(const SymmetricFit& fit) const;
 
+  /// Calls visit(pairing, hexahedra of both, faults) for each ball and turn in this cavity that
+  /// `wanted` includes. Deterministic order.
+  using Visit = std::function<void(const SymmetricPairing&, int hexahedra, int faults)>;
+  void for_each_pairing(const SymmetricBeam::Node& cavity, const FaultyWanted& wanted,
+                        const Visit& visit) const;
+  /// What such a pairing is; `cavity` of the result is 0.
+  [[nodiscard]] SymmetricFit fit_of(const SymmetricBeam::Node& cavity,
+                                    const SymmetricPairing& pairing) const;
+
  private:
   struct Entry {
     std::uint64_t kind = 0;  ///< hash of the class
     std::uint32_t ball = 0;  ///< among those expanded
     friend auto operator<=>(const Entry&, const Entry&) = default;
   };
+  /// Calls visit(index of the beam, place of the ball) for those of the cavity's kind, those of
+  /// each beam in order of hexahedra, until it returns false, then those of the next.
+  template <class OfKind>
+  void for_each_of_kind(const SymmetricBeam::Node& cavity, OfKind&& visit) const;
   void fit_one(const SymmetricBeam::Node& cavity, SymmetricFit& best) const;
 
   std::array<SymmetricBeam, 2> beams_;         ///< half-turns; what reverses orientation

@@ -166,6 +166,7 @@ void TableSearch::next_round() {
   phase_ = ++round_ == options_.rounds ? Phase::finished : Phase::sweep;
   position_ = 0;
   balls_.rewind();
+  symmetric_balls_.reset();
 }
 
 TableSearch::Progress TableSearch::progress() const {

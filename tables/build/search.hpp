@@ -71,7 +71,8 @@ struct SearchOptions {
   std::size_t collared = 100;      ///< boundaries per round
   std::size_t annealed = 0;        ///< boundaries per round
   std::size_t anneal_starts = 16;  ///< meshes that annealing of one boundary begins with
-  /// Others with faults (enum/flips/faulty_meeting.hpp), and as many with symmetric collars.
+  /// Others with faults (enum/flips/faulty_meeting.hpp), as many with symmetric collars, and as
+  /// many with symmetric balls in these.
   std::size_t anneal_faulty = 100;
   std::size_t anneal_cut = 100;  ///< others with faults (enum/flips/faulty_cut.hpp)
   int anneal_rounds = 8;         ///< of annealing, per beginning and leap
@@ -165,6 +166,7 @@ class TableSearch {
   void sweep_step();
   void exchange_step();
   void cut_step();
+  const flips::SymmetricBalls* symmetric_balls();
   void symmetric_step();
   void collar_step();
   void anneal_step();
@@ -173,8 +175,8 @@ class TableSearch {
                                                             int threads) const;
   [[nodiscard]] std::vector<complex::HexComplex> beginnings(const canon::Code& code,
                                                             int threads) const;
-  [[nodiscard]] std::vector<flips::FaultyMesh> faulty_beginnings(const canon::Code& code, int size,
-                                                                 int threads) const;
+  [[nodiscard]] std::vector<flips::FaultyMesh> faulty_beginnings(
+      const canon::Code& code, int size, int threads, const flips::SymmetricBalls* symmetric) const;
   [[nodiscard]] std::vector<const canon::Code*> next_largest(std::size_t count);
   void begin(Phase phase, std::size_t largest);
   void next_round();
@@ -200,7 +202,7 @@ class TableSearch {
   std::size_t position_ = 0;  ///< next target of the phase
   int taken_from_ = 0;        ///< the phase is for targets with so many hexahedra, or more
   std::map<canon::Code, Loose> loose_;
-  /// For the phase of symmetric collars; grown anew after a restart.
+  /// From the phase of symmetric collars to the end of a round; grown anew after a restart.
   std::optional<flips::SymmetricBalls> symmetric_balls_;
 };
 

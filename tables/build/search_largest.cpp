@@ -33,7 +33,7 @@ std::size_t per_step(const flips::BeamOptions& collars) {
 /// The same for annealing: about two minutes of two processors at most, or one boundary.
 std::size_t annealed_per_step(const SearchOptions& options) {
   constexpr std::size_t kRounds = 20'000;
-  const std::size_t rounds = (options.anneal_starts + 2 * options.anneal_faulty +
+  const std::size_t rounds = (options.anneal_starts + 3 * options.anneal_faulty +
                               options.anneal_cut + static_cast<std::size_t>(options.anneal_leaps)) *
                              static_cast<std::size_t>(options.anneal_rounds);
   return std::clamp<std::size_t>(kRounds / rounds, 1, kBoundariesPerStep);
@@ -130,17 +130,19 @@ flips::MeetingOptions TableSearch::symmetric_collars_for(const canon::Code& code
   return result;
 }
 
-/// The symmetric balls are grown in the step that needs them first, so that a search which is taken
-/// up again in this phase gets on even if it is stopped after every step.
+/// They are grown in the step that needs them first, so that a search which is taken up again gets
+/// on even if it is stopped after every step.
+const flips::SymmetricBalls* TableSearch::symmetric_balls() {
+  if (options_.max_symmetric_ball == 0) return nullptr;
+  if (!symmetric_balls_)
+    symmetric_balls_.emplace(options_.symmetric_balls, options_.max_symmetric_ball);
+  return &*symmetric_balls_;
+}
+
 void TableSearch::symmetric_step() {
   const auto batch = next_largest(per_step(options_.symmetric));
-  if (batch.empty()) {
-    symmetric_balls_.reset();
-    return begin(Phase::collars, options_.collared);
-  }
-  if (options_.max_symmetric_ball > 0 && !symmetric_balls_)
-    symmetric_balls_.emplace(options_.symmetric_balls, options_.max_symmetric_ball);
-  const flips::SymmetricBalls* symmetric = symmetric_balls_ ? &*symmetric_balls_ : nullptr;
+  if (batch.empty()) return begin(Phase::collars, options_.collared);
+  const flips::SymmetricBalls* symmetric = symmetric_balls();
   adopt_all(batch, [&](const canon::Code& code, int threads) -> std::optional<Found> {
     auto filling = flips::best_symmetric_meeting(
         flips::BeamBalls(balls_), code, symmetric_collars_for(code, hexahedra(code), threads),
@@ -185,8 +187,8 @@ std::vector<complex::HexComplex> TableSearch::beginnings(const canon::Code& code
 }
 
 /// Meshes of this boundary with a few faults, not much larger than one with so many hexahedra.
-std::vector<flips::FaultyMesh> TableSearch::faulty_beginnings(const canon::Code& code, int size,
-                                                              int threads) const {
+std::vector<flips::FaultyMesh> TableSearch::faulty_beginnings(
+    const canon::Code& code, int size, int threads, const flips::SymmetricBalls* symmetric) const {
   constexpr int kWorthATry = 5;  // hexahedra, faults at their price
   std::vector<flips::FaultyMesh> result;
   const auto add = [&](std::vector<flips::FaultyMesh> meshes) {
@@ -203,7 +205,8 @@ std::vector<flips::FaultyMesh> TableSearch::faulty_beginnings(const canon::Code&
     plain.collars.seed = seed_for(code);  // others in each round
     add(flips::faulty_meetings(balls_, code, plain));
     add(flips::faulty_symmetric_meetings(
-        balls_, code, meetings(symmetric_collars_for(code, size + kWorthATry, threads))));
+        balls_, code, meetings(symmetric_collars_for(code, size + kWorthATry, threads)),
+        symmetric));
   }
   if (options_.anneal_cut > 0) {
     flips::FaultyCutOptions options{
@@ -218,11 +221,12 @@ std::vector<flips::FaultyMesh> TableSearch::faulty_beginnings(const canon::Code&
 void TableSearch::anneal_step() {
   const auto batch = next_largest(annealed_per_step(options_));
   if (batch.empty()) return next_round();
+  const flips::SymmetricBalls* symmetric = options_.anneal_faulty > 0 ? symmetric_balls() : nullptr;
   adopt_all(batch, [&](const canon::Code& code, int threads) -> std::optional<Found> {
     flips::Beginnings begin{beginnings(code, threads), {}};
     if (begin.strict.empty()) return std::nullopt;
     const int size = static_cast<int>(begin.strict.front().hexahedra.size());
-    begin.faulty = faulty_beginnings(code, size, threads);
+    begin.faulty = faulty_beginnings(code, size, threads, symmetric);
     auto mesh = flips::least_by_annealing(begin, code.quads, balls_,
                                           {.rounds = options_.anneal_rounds,
                                            .leaps = options_.anneal_leaps,

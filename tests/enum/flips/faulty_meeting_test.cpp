@@ -35,7 +35,23 @@ TEST(FaultyMeeting, KnowsItsFaults) {
 }
 
 TEST(FaultyMeeting, KnowsItsFaultsWithSymmetricCollars) {
-  support::expect_faults_are_known(meeting_limits, flips::faulty_symmetric_meetings);
+  support::expect_faults_are_known(meeting_limits,
+                                   [](const auto& balls, const auto& code, const auto& options) {
+                                     return flips::faulty_symmetric_meetings(balls, code, options);
+                                   });
+}
+
+TEST(FaultyMeeting, KnowsItsFaultsWithSymmetricBalls) {
+  const flips::SymmetricBalls symmetric(
+      {.max_quads = 24, .fronts_per_class = 20, .fronts_per_level = 500}, 18);
+  // Without other balls: what is found is of these.
+  const flips::Beam cube = support::grown(20, 1, 1, 0);
+  support::expect_faults_are_known(
+      meeting_limits,
+      [&](const auto&, const auto& code, const auto& options) {
+        return flips::faulty_symmetric_meetings(cube, code, options, &symmetric);
+      },
+      0);
 }
 
 /// The ball and one hexahedron more.
