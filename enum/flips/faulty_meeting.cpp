@@ -1,6 +1,8 @@
 #include "enum/flips/faulty_meeting.hpp"
 
+#include <algorithm>
 #include <deque>
+#include <iterator>
 #include <utility>
 
 #include "enum/core/checks.hpp"
@@ -11,6 +13,22 @@
 
 namespace hexatlas::flips {
 namespace {
+
+/// Meshes of what is drawn at random, as many as are wanted. `mesh_of(one)`: its mesh.
+template <class One, class MeshOf>
+std::vector<FaultyMesh> drawn(FaultyKinds<One>& kinds, const FaultyMeetingOptions& options,
+                              int quads, MeshOf&& mesh_of) {
+  core::Random random(options.collars.seed);
+  std::vector<FaultyMesh> result;
+  while (result.size() < options.wanted.count) {
+    const auto next = kinds.draw(random);
+    if (!next) break;
+    complex::HexComplex mesh = mesh_of(next->first);
+    if (SubBall::neighbours_if_complex(mesh, quads))
+      result.push_back({std::move(mesh), next->second});
+  }
+  return result;
+}
 
 /// Balls in cavities, by kind. A cavity goes by its place in a list of the caller's.
 class Pairings {
@@ -68,19 +86,11 @@ bool Pairings::add(const State& cavity, int collar, std::size_t place) {
 
 template <class CollarTo>
 std::vector<FaultyMesh> Pairings::drawn(int quads, CollarTo&& collar_to) {
-  core::Random random(options_.collars.seed);
-  std::vector<FaultyMesh> result;
-  while (result.size() < options_.wanted.count) {
-    const auto next = kinds_.draw(random);
-    if (!next) break;
-    const auto& [cavity, ball, turn] = next->first;
-    const auto boundary = canon::decode(balls_.state(ball).code).value();
-    auto mesh = filled(collar_to(cavity), layers_along(balls_, ball, Growth::outward),
-                       canon::labelling_from(boundary, turn), turn.mirrored, quads);
-    if (SubBall::neighbours_if_complex(mesh, quads))
-      result.push_back({std::move(mesh), next->second});
-  }
-  return result;
+  return flips::drawn(kinds_, options_, quads, [&](const Pairing& one) {
+    const auto boundary = canon::decode(balls_.state(one.ball).code).value();
+    return filled(collar_to(one.cavity), layers_along(balls_, one.ball, Growth::outward),
+                  canon::labelling_from(boundary, one.turn), one.turn.mirrored, quads);
+  });
 }
 
 }  // namespace
@@ -142,17 +152,13 @@ std::vector<FaultyMesh> faulty_symmetric_meetings(const Beam& balls, const canon
   auto result = pairings.drawn(target.quads, [&](std::size_t place) {
     return cavities[place].collars->layers_to(cavities[place].node);
   });
-  core::Random random(options.collars.seed);
-  for (std::size_t count = 0; count < options.wanted.count; ++count) {
-    const auto next = symmetric.draw(random);
-    if (!next) break;
-    const auto& [collars, node] = cavities[next->first.cavity];
-    const SymmetricFit fit = symmetric_balls->fit_of(node, next->first.pairing);
-    auto mesh = filled(collars->layers_to(node), symmetric_balls->layers_of(fit), fit.turn,
-                       fit.is_mirrored, target.quads);
-    if (SubBall::neighbours_if_complex(mesh, target.quads))
-      result.push_back({std::move(mesh), next->second});
-  }
+  auto others = drawn(symmetric, options, target.quads, [&](const InCavity& one) {
+    const auto& [collars, node] = cavities[one.cavity];
+    const SymmetricFit fit = symmetric_balls->fit_of(node, one.pairing);
+    return filled(collars->layers_to(node), symmetric_balls->layers_of(fit), fit.turn,
+                  fit.is_mirrored, target.quads);
+  });
+  std::move(others.begin(), others.end(), std::back_inserter(result));
   return result;
 }
 
