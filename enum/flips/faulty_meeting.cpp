@@ -44,12 +44,12 @@ class Pairings {
   [[nodiscard]] std::vector<FaultyMesh> drawn(int quads, CollarTo&& collar_to);
 
  private:
-  /// A ball in a cavity, turned so that its canonical boundary vertex v lies at the cavity's vertex
-  /// labelling_from(canonical list of the cavity, turn)[v]. There may be millions.
+  /// A ball in a cavity, turned by one of the automorphisms_of() the cavity's boundary. There may
+  /// be millions.
   struct Pairing {
     std::size_t cavity = 0;
     FrontId ball;
-    canon::Flag turn;
+    std::uint32_t turn = 0;
   };
 
   const Beam& balls_;
@@ -63,21 +63,19 @@ bool Pairings::add(const State& cavity, int collar, std::size_t place) {
   if (!number) return false;
   const FrontStore::Family& family = balls_.store().family(*number);
   if (collar + family.level_floor + 1 >= wanted.below) return false;
-  const auto boundary = canon::decode(cavity.code).value();
-  canon::CanonicalFlags flags;
-  canon::canonical_flags(boundary, flags);
+  const std::vector<Automorphism> turns = automorphisms_of(cavity.code);
   bool has_any = false;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(flags.count); ++i) {
-    const canon::Labelling turn = canon::labelling_from(boundary, flags.flags[i]);
+  for (std::uint32_t t = 0; t < turns.size(); ++t) {
     // The scars of the cavity as the ball sees them.
-    const Scars seen = cavity.scars.renamed(canon::inverse_of(turn, boundary.vertices()));
+    const Scars seen =
+        cavity.scars.renamed(canon::inverse_of(turns[t].label, cavity.code.quads + 2));
     for (std::uint32_t k = 0; k < family.fronts.size(); ++k) {
       const StoredFront& ball = family.fronts[k];
       const int hexahedra = collar + ball.level + 1;
       if (hexahedra >= wanted.below) continue;
       const int faults = ball.scars.size_in_common(seen);
       if (faults == 0 || !wanted.includes(hexahedra, faults)) continue;
-      kinds_.add(faults, hexahedra, {place, {*number, k}, flags.flags[i]});
+      kinds_.add(faults, hexahedra, {place, {*number, k}, t});
       has_any = true;
     }
   }
@@ -87,9 +85,9 @@ bool Pairings::add(const State& cavity, int collar, std::size_t place) {
 template <class CollarTo>
 std::vector<FaultyMesh> Pairings::drawn(int quads, CollarTo&& collar_to) {
   return flips::drawn(kinds_, options_, quads, [&](const Pairing& one) {
-    const auto boundary = canon::decode(balls_.state(one.ball).code).value();
+    const Automorphism turn = automorphisms_of(balls_.state(one.ball).code)[one.turn];
     return filled(collar_to(one.cavity), layers_along(balls_, one.ball, Growth::outward),
-                  canon::labelling_from(boundary, one.turn), one.turn.mirrored, quads);
+                  turn.label, turn.is_mirrored, quads);
   });
 }
 
