@@ -280,6 +280,10 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
       "How much balls with vertices of high degree on their boundary are preferred: each unit of "
       "the sum of (degree - 4)^2 counts as so many less of the pairs of vertices that a ball "
       "relates");
+  effort("--simple-zones", search.balls.scars_per_simple_zone, 0U, flips::kMaxPerSimpleZone,
+         "How much balls are preferred whose boundary has few zones that do not cross themselves: "
+         "each counts as so many of these pairs more; about 9 times --irregular for both to say "
+         "how hard a boundary is");
   effort("--max-hexahedra", search.max_hexahedra, 1, 200, "Hexahedra of the balls grown, at most");
   effort("--rounds", search.rounds, 1, 1000,
          "Rounds of sweep, exchange, cuts, symmetric collars, collars and annealing");

@@ -107,6 +107,23 @@ int Quadrangulation::irregularity() const noexcept {
                          [](int sum, int d) { return sum + (d - 4) * (d - 4); });
 }
 
+int Quadrangulation::simple_zones() const noexcept {
+  // A curve passes a quad by its sides 0 and 2, or by 1 and 3.
+  std::array<std::array<std::uint8_t, 2>, kMaxQuads> zone{};  // of each passage, from 1 on
+  std::bitset<kMaxDarts + 1> crosses_itself;
+  std::uint8_t zones = 0;
+  for (int first = 0; first < darts(); ++first) {
+    auto d = static_cast<Dart>(first);
+    if (zone[quad_of(d)][d % 2] != 0) continue;
+    ++zones;
+    for (; zone[quad_of(d)][d % 2] == 0; d = twin_[opposite(d)]) {
+      zone[quad_of(d)][d % 2] = zones;
+      if (zone[quad_of(d)][(d + 1) % 2] == zones) crosses_itself.set(zones);
+    }
+  }
+  return zones - static_cast<int>(crosses_itself.count());
+}
+
 std::optional<BrokenLaw> Quadrangulation::validate() const {
   if (quads_ == 0) return BrokenLaw{"there is no quad"};
   for (int i = 0; i < darts(); ++i) {

@@ -83,6 +83,10 @@ class Quadrangulation {
   /// The sum over the vertices of (degree - 4)^2. Of a 3-connected quadrangulation with n quads it
   /// is at most 2 (n / 2 - 4)^2 + n, that of a trapezohedron (docs/theory/proofs/irregularity.md).
   [[nodiscard]] int irregularity() const noexcept;
+  /// How many zones do not cross themselves. A zone is the quads that a closed curve crosses which
+  /// leaves each quad at the side opposite to where it came in; it crosses itself at a quad that it
+  /// passes both ways. Requires that the laws hold. Cost: linear.
+  [[nodiscard]] int simple_zones() const noexcept;
 
   /// The first broken law, if any. Cost: linear.
   [[nodiscard]] std::optional<BrokenLaw> validate() const;

@@ -28,10 +28,12 @@ constexpr int kMostIrregular =
 /// What the boundary adds to the scars of its fronts, and a constant.
 std::uint64_t price_of(const canon::Code& code, const BeamOptions& options) {
   std::uint64_t price = std::uint64_t{options.scars_per_quad} * code.quads;
-  if (options.scars_per_irregularity > 0) {
-    const int less = kMostIrregular - canon::decode(code).value().irregularity();
-    price += std::uint64_t{options.scars_per_irregularity} * static_cast<std::uint64_t>(less);
-  }
+  if (options.scars_per_irregularity == 0 && options.scars_per_simple_zone == 0) return price;
+  const auto boundary = canon::decode(code).value();
+  price += std::uint64_t{options.scars_per_irregularity} *
+           static_cast<std::uint64_t>(kMostIrregular - boundary.irregularity());
+  price += std::uint64_t{options.scars_per_simple_zone} *
+           static_cast<std::uint64_t>(boundary.simple_zones());
   return price;
 }
 
@@ -66,6 +68,8 @@ Beam::Beam(const State& start, const BeamOptions& options)
       "limits of a beam are at least 1");
   core::expects(options.scars_per_irregularity <= kMaxPerIrregularity,
                 "a unit of irregularity counts as at most kMaxPerIrregularity scars");
+  core::expects(options.scars_per_simple_zone <= kMaxPerSimpleZone,
+                "a simple zone counts as at most kMaxPerSimpleZone scars");
   const FrontId id = store_.add({start, {}, {}, 0}, FrontOrigin::grown);
   store_.set_mark(id, FrontMark::chosen);
   frontier_.push_back(id);

@@ -30,6 +30,7 @@
 namespace hexatlas::flips {
 
 inline constexpr unsigned kMaxPerIrregularity = 50;
+inline constexpr unsigned kMaxPerSimpleZone = 500;
 
 struct BeamOptions {
   int max_quads = 22;                 ///< of boundaries grown, at most kMaxStateQuads
@@ -41,9 +42,12 @@ struct BeamOptions {
   /// And each unit of its irregularity as so many scars less: boundaries with vertices of high
   /// degree, and hence many of degree 3, are few among those grown, and the hardest to fill.
   unsigned scars_per_irregularity = 0;  ///< at most kMaxPerIrregularity
-  std::uint64_t seed = 1;               ///< breaks ties among equally many scars
-  int threads = 1;                      ///< does not change the result
-  bool use_dominance = true;            ///< off only to test the pruning
+  /// And each zone of the boundary that does not cross itself as so many scars more: the fewer a
+  /// boundary has of them, the harder it is to fill (docs/architecture/decisions/0033).
+  unsigned scars_per_simple_zone = 0;  ///< at most kMaxPerSimpleZone
+  std::uint64_t seed = 1;              ///< breaks ties among equally many scars
+  int threads = 1;                     ///< does not change the result
+  bool use_dominance = true;           ///< off only to test the pruning
 };
 
 /// What a beam knows of one state.

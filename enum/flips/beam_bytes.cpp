@@ -1,6 +1,7 @@
 // The saved form of a search. Integers are little-endian:
-//   "hexbeam2", the options that matter (max_quads, fronts per class and per level, scars per unit
-//   of irregularity, seed, dominance), level, last level, candidates, truncated; 8 bytes each.
+//   "hexbeam3", the options that matter (max_quads, fronts per class and per level, scars per unit
+//   of irregularity and per simple zone, seed, dominance), level, last level, candidates,
+//   truncated; 8 bytes each.
 //   For each shard the number of families (4), and for each family: quads (1), the binary code,
 //   the number of fronts (4), and per front: family and place of the parent (4 + 4), bottom and
 //   sides of the flip (1 + 1), level (2), mark (1), origin (1).
@@ -20,7 +21,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the saved form is a plain copy");
 
-constexpr std::string_view kMagic = "hexbeam2";
+constexpr std::string_view kMagic = "hexbeam3";
 
 template <class Number>
 void put(std::string& bytes, Number number) {
@@ -60,6 +61,7 @@ void put_options(std::string& bytes, const BeamOptions& options) {
   put<std::uint64_t>(bytes, options.fronts_per_class);
   put<std::uint64_t>(bytes, options.fronts_per_level);
   put<std::uint64_t>(bytes, options.scars_per_irregularity);
+  put<std::uint64_t>(bytes, options.scars_per_simple_zone);
   put<std::uint64_t>(bytes, options.seed);
   put<std::uint64_t>(bytes, options.use_dominance ? 1 : 0);
 }
@@ -73,6 +75,7 @@ std::string words_for_options(std::string_view bytes, const std::string& name) {
   words += ", " + next() + " per level";
   if (const auto reward = next(); reward != "0")
     words += ", " + reward + " scars less per unit of irregularity";
+  if (const auto more = next(); more != "0") words += ", " + more + " scars more per simple zone";
   words += ", seed " + next();
   return words + (source.get<std::uint64_t>() != 0 ? "" : ", without dominance");
 }

@@ -53,9 +53,10 @@ class Build(program.ProgramTest):
         self.expect_fault(ran, "a.state")
         self.assertRegex(ran.err, r"boundaries of at most [0-9]+ quads, [0-9]+ balls per boundary and level, "
                                   r"100 per level, seed 1\n\Z")
-        ran = self.hexatlas("table", "build", "-o", "c.hxt", *no_search, "--irregular", "2",
-                            "--start-from", "a.state")
-        self.expect_fault(ran, "a.state")
+        for other in ("--irregular", "--simple-zones"):
+            ran = self.hexatlas("table", "build", "-o", "c.hxt", *no_search, other, "2",
+                                "--start-from", "a.state")
+            self.expect_fault(ran, "a.state")
         self.write("d.hxt", b"neither a table nor a search")
         self.expect_fault(self.hexatlas("table", "build", "-o", "c.hxt", "--start-from", "d.hxt"),
                           "d.hxt")

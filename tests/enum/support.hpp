@@ -4,11 +4,13 @@
 /// quadrangulations of the oracle as ours.
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "enum/canon/code.hpp"
@@ -198,6 +200,27 @@ inline int irregularity_of(const complex::Quadrangulation& q) {
   int sum = 0;
   for (const auto& [v, d] : degree) sum += (d - 4) * (d - 4);
   return sum;
+}
+
+/// Classes of edges under "opposite in a quad", less those that have two adjacent edges of a quad.
+/// For simple graphs only: an edge is the pair of its ends.
+inline int simple_zones_of(const complex::Quadrangulation& q) {
+  using Edge = std::pair<complex::Vertex, complex::Vertex>;
+  const auto edge = [](complex::Vertex a, complex::Vertex b) -> Edge { return std::minmax(a, b); };
+  std::map<Edge, Edge> parent;
+  const std::function<Edge(Edge)> root = [&](Edge e) {
+    const auto at = parent.try_emplace(e, e).first;
+    return at->second == e ? e : root(at->second);
+  };
+  for (const auto& [a, b, c, d] : q.list_of_quads()) {
+    parent[root(edge(a, b))] = root(edge(c, d));
+    parent[root(edge(b, c))] = root(edge(d, a));
+  }
+  std::set<Edge> simple;
+  for (const auto& [e, to] : parent) simple.insert(root(e));
+  for (const auto& [a, b, c, d] : q.list_of_quads())
+    if (root(edge(a, b)) == root(edge(b, c))) simple.erase(root(edge(a, b)));
+  return static_cast<int>(simple.size());
 }
 
 }  // namespace hexatlas::support

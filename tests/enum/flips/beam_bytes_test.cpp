@@ -83,6 +83,9 @@ TEST(SavedBeam, OfOtherOptionsOrCutShortIsRefused) {
   other = narrow();
   other.scars_per_irregularity = 1;
   EXPECT_THROW((void)restored(bytes, other), core::InvalidInput);
+  other = narrow();
+  other.scars_per_simple_zone = 1;
+  EXPECT_THROW((void)restored(bytes, other), core::InvalidInput);
   for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 40)
     EXPECT_THROW((void)restored(bytes.substr(0, size)), core::InvalidInput) << size;
   EXPECT_THROW((void)restored(bytes + "x"), core::InvalidInput);

@@ -178,6 +178,9 @@ TEST(Beam, OptionsAreChecked) {
   options = {};
   options.scars_per_irregularity = flips::kMaxPerIrregularity + 1;
   EXPECT_THROW(Beam(single(), options), core::PreconditionViolated);
+  options = {};
+  options.scars_per_simple_zone = flips::kMaxPerSimpleZone + 1;
+  EXPECT_THROW(Beam(single(), options), core::PreconditionViolated);
 }
 
 TEST(Beam, GivesEveryClassItsTurn) {
@@ -196,22 +199,25 @@ TEST(Beam, GivesEveryClassItsTurn) {
   }
 }
 
-TEST(Beam, AQuadAndAUnitOfIrregularityCountAsSoManyScars) {
+TEST(Beam, QuadsIrregularityAndSimpleZonesCountAsSoManyScars) {
   struct Prices {
-    unsigned quad, irregularity;
+    unsigned quad, irregularity, simple_zone;
   };
   for (const Prices prices :
-       {Prices{0, 0}, Prices{3, 0}, Prices{50, 0}, Prices{0, 1}, Prices{0, 50}, Prices{2, 3}}) {
+       {Prices{0, 0, 0}, Prices{3, 0, 0}, Prices{50, 0, 0}, Prices{0, 1, 0}, Prices{0, 50, 0},
+        Prices{0, 0, 1}, Prices{0, 0, 500}, Prices{2, 3, 27}}) {
     BeamOptions options = unlimited(20);
     options.fronts_per_class = 1;  // then all of a level stay known, and the order is seen
     options.fronts_per_level = 30;
     options.scars_per_quad = prices.quad;
     options.scars_per_irregularity = prices.irregularity;
+    options.scars_per_simple_zone = prices.simple_zone;
     Beam beam(single(), options);
     const auto cost = [&](const State& state) {
+      const auto boundary = canon::decode(state.code).value();
       return state.scars.size() + static_cast<int>(prices.quad) * state.code.quads -
-             static_cast<int>(prices.irregularity) *
-                 support::irregularity_of(canon::decode(state.code).value());
+             static_cast<int>(prices.irregularity) * support::irregularity_of(boundary) +
+             static_cast<int>(prices.simple_zone) * support::simple_zones_of(boundary);
     };
     std::size_t passed_over = 0;
     for (int level = 1; level <= 10; ++level) {
@@ -226,7 +232,8 @@ TEST(Beam, AQuadAndAUnitOfIrregularityCountAsSoManyScars) {
           EXPECT_GE(cost(beam.state(record.id)), greatest);
         }
     }
-    EXPECT_GT(passed_over, 10U) << prices.quad << ' ' << prices.irregularity;
+    EXPECT_GT(passed_over, 10U) << prices.quad << ' ' << prices.irregularity << ' '
+                                << prices.simple_zone;
   }
 }
 

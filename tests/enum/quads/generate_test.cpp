@@ -141,6 +141,19 @@ TEST(Generate, NoneIsMoreIrregularThanATrapezohedron) {
   EXPECT_EQ(at_bound, 6) << "one for each even number";
 }
 
+TEST(Generate, SimpleZonesAreClassesOfOppositeEdges) {
+  std::map<int, int> boundaries;  // for each number of simple zones
+  for (int n = 6; n <= 16; ++n)
+    (void)quads::generate(Class::three_connected, n,
+                          [&](const complex::Quadrangulation& q, int, int) {
+                            const int simple = support::simple_zones_of(q);
+                            EXPECT_EQ(q.simple_zones(), simple);
+                            ++boundaries[simple];
+                          });
+  EXPECT_GT(boundaries[0], 10);
+  EXPECT_GE(boundaries.rbegin()->first, 4) << "some have many";
+}
+
 TEST(Generate, PublishedCounts) {
   for (const auto& [n, row] : kPublished) {
     if (n > kConnected) continue;
