@@ -202,8 +202,12 @@ if [[ "${1:-}" == --search ]]; then
     --symmetric 9 --symmetric-hexahedra 26 --symmetric-width 20000 --symmetric-ball-width 100000
   "$program" table build -o swept.hxt --start-from hexatlas-more-22.hxt symmetric-nine.hxt symmetric-all.hxt "${quiet[@]}" \
     --width 6000000 --per-class 60 --seed 20270105 --memory 17 --max-hexahedra 47
-  "$program" table build -o hexatlas.hxt --start-from hexatlas-more-22.hxt symmetric-nine.hxt symmetric-all.hxt swept.hxt \
+  "$program" table build -o hexatlas-symmetric-balls.hxt --start-from hexatlas-more-22.hxt symmetric-nine.hxt symmetric-all.hxt swept.hxt \
     "${last[@]/20261126/20270105}"
+  # And one that prefers boundaries with few simple zones.
+  "$program" table build -o swept.hxt --start-from hexatlas-symmetric-balls.hxt "${quiet[@]}" --width 3500000 --per-class 20 --widest 26 \
+    --irregular 1 --simple-zones 30 --seed 20270201 --memory 16 --max-hexahedra 50
+  "$program" table build -o hexatlas.hxt --start-from hexatlas-symmetric-balls.hxt swept.hxt "${last[@]/20261126/20270201}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
@@ -213,6 +217,7 @@ for quads, row in json.load(sys.stdin)["by_quads"].items():
           row["greatest"], sep="\t")
 ' >result.tsv
 "$program" table info --by quads --svg hexahedra.svg >/dev/null
+python3 -B zones.py ../../tables/data/hexatlas.census.sqlite >zones.tsv
 {
   TIMEFORMAT=$'table check, seconds on one core\t%U'
   time taskset -c 0 "$program" table check >/dev/null
