@@ -282,8 +282,7 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
       "relates");
   effort("--simple-zones", search.balls.scars_per_simple_zone, 0U, flips::kMaxPerSimpleZone,
          "How much balls are preferred whose boundary has few zones that do not cross themselves: "
-         "each counts as so many of these pairs more; about 9 times --irregular for both to say "
-         "how hard a boundary is");
+         "each counts as so many of these pairs more (try 30, with --irregular 1)");
   effort("--max-hexahedra", search.max_hexahedra, 1, 200, "Hexahedra of the balls grown, at most");
   effort("--rounds", search.rounds, 1, 1000,
          "Rounds of sweep, exchange, cuts, symmetric collars, collars and annealing");
