@@ -1,5 +1,7 @@
 #include "cli/command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
@@ -315,12 +317,14 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
   effort("--collared", search.collared, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round for which collars are grown, those with the largest meshes");
   effort("--collar-hexahedra", search.max_collar, 1, 200, "Hexahedra of a collar, at most");
-  for (const auto& [name, collars, widest] :
-       {std::tuple("--symmetric", &search.symmetric, flips::kMaxSymmetricQuads),
-        std::tuple("--collar", &search.collars, flips::kMaxStateQuads)}) {
+  for (const auto& [name, collars, hint] :
+       {std::tuple("--symmetric", &search.symmetric, ""),
+        std::tuple("--collar", &search.collars,
+                   "; beyond 30 each takes three times the memory, but of the hardest boundaries "
+                   "hardly any others lead anywhere (try 36, with --collar-narrow 12)")}) {
     const std::string prefix = name;
-    effort((prefix + "-widest").c_str(), collars->max_quads, 6, widest,
-           "Quads of the boundaries inside such a collar, at most");
+    effort((prefix + "-widest").c_str(), collars->max_quads, 6, flips::kMaxSymmetricQuads,
+           fmt::format("Quads of the boundaries inside such a collar, at most{}", hint).c_str());
     effort((prefix + "-width").c_str(), collars->fronts_per_level, std::size_t{1},
            std::size_t{100'000'000},
            "Such collars of one boundary expanded per number of hexahedra");

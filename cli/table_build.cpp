@@ -11,6 +11,7 @@
 #include "cli/table_write.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
+#include "enum/flips/symmetric_beam.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "tables/build/bounds.hpp"
 #include "tables/build/census.hpp"
@@ -52,7 +53,9 @@ build::SearchOptions search_options(const TableBuildOptions& options) {
   build::SearchOptions search = options.search;
   search.balls.threads = parallel::threads_or_all(options.threads);
   const std::size_t bytes = static_cast<std::size_t>(options.memory_gib) << 30U;
-  search.balls.max_fronts = search.collars.max_fronts = bytes / kBytesPerFront;
+  search.balls.max_fronts = bytes / kBytesPerFront;
+  search.collars.max_fronts =
+      bytes / (flips::are_wide(search.collars) ? kBytesPerSymmetricFront : kBytesPerFront);
   search.symmetric.max_fronts = search.symmetric_balls.max_fronts = bytes / kBytesPerSymmetricFront;
   return search;
 }

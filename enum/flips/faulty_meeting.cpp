@@ -91,28 +91,11 @@ std::vector<FaultyMesh> Pairings::drawn(int quads, CollarTo&& collar_to) {
   });
 }
 
-}  // namespace
-
-std::vector<FaultyMesh> faulty_meetings(const Beam& balls, const canon::Code& target,
-                                        const FaultyMeetingOptions& options) {
-  (void)boundary_of(target);
-  Beam collars(State{target, {}}, options.collars);
-  Pairings pairings(balls, options);
-  std::vector<FrontId> cavities;
-  for (std::size_t size = 1; size > 0; size = collars.expand_level()) {
-    for (const FrontId cavity : collars.frontier())
-      if (pairings.add(collars.state(cavity), collars.level(), cavities.size()))
-        cavities.push_back(cavity);
-    if (collars.level() == options.max_collar) break;
-  }
-  return pairings.drawn(target.quads, [&](std::size_t place) {
-    return layers_along(collars, cavities[place], Growth::inward);
-  });
-}
-
-std::vector<FaultyMesh> faulty_symmetric_meetings(const Beam& balls, const canon::Code& target,
-                                                  const FaultyMeetingOptions& options,
-                                                  const SymmetricBalls* symmetric_balls) {
+/// Faulty meetings with the collars of these starts.
+std::vector<FaultyMesh> faulty_meetings_from(const std::vector<SymmetricFront>& starts,
+                                             const Beam& balls, int quads,
+                                             const FaultyMeetingOptions& options,
+                                             const SymmetricBalls* symmetric_balls) {
   struct CavityAt {
     const SymmetricBeam* collars;
     SymmetricBeam::Node node;
@@ -134,7 +117,7 @@ std::vector<FaultyMesh> faulty_symmetric_meetings(const Beam& balls, const canon
         });
     return has_any;
   };
-  for (const SymmetricFront& start : symmetric_fronts(boundary_of(target), {})) {
+  for (const SymmetricFront& start : starts) {
     SymmetricBeam& collars = searches.emplace_back(std::vector{start_of_collars(start)},
                                                    Growth::inward, options.collars);
     for (bool has_more = true; has_more; has_more = collars.expand_level()) {
@@ -147,17 +130,46 @@ std::vector<FaultyMesh> faulty_symmetric_meetings(const Beam& balls, const canon
       if (collars.level() == options.max_collar) break;
     }
   }
-  auto result = pairings.drawn(target.quads, [&](std::size_t place) {
+  auto result = pairings.drawn(quads, [&](std::size_t place) {
     return cavities[place].collars->layers_to(cavities[place].node);
   });
-  auto others = drawn(symmetric, options, target.quads, [&](const InCavity& one) {
+  auto others = drawn(symmetric, options, quads, [&](const InCavity& one) {
     const auto& [collars, node] = cavities[one.cavity];
     const SymmetricFit fit = symmetric_balls->fit_of(node, one.pairing);
     return filled(collars->layers_to(node), symmetric_balls->layers_of(fit), fit.turn,
-                  fit.is_mirrored, target.quads);
+                  fit.is_mirrored, quads);
   });
   std::move(others.begin(), others.end(), std::back_inserter(result));
   return result;
+}
+
+}  // namespace
+
+std::vector<FaultyMesh> faulty_meetings(const Beam& balls, const canon::Code& target,
+                                        const FaultyMeetingOptions& options) {
+  const complex::Quadrangulation boundary = boundary_of(target);
+  if (are_wide(options.collars))
+    return faulty_meetings_from({front_without_symmetry(boundary, {})}, balls, target.quads,
+                                options, nullptr);
+  Beam collars(State{target, {}}, options.collars);
+  Pairings pairings(balls, options);
+  std::vector<FrontId> cavities;
+  for (std::size_t size = 1; size > 0; size = collars.expand_level()) {
+    for (const FrontId cavity : collars.frontier())
+      if (pairings.add(collars.state(cavity), collars.level(), cavities.size()))
+        cavities.push_back(cavity);
+    if (collars.level() == options.max_collar) break;
+  }
+  return pairings.drawn(target.quads, [&](std::size_t place) {
+    return layers_along(collars, cavities[place], Growth::inward);
+  });
+}
+
+std::vector<FaultyMesh> faulty_symmetric_meetings(const Beam& balls, const canon::Code& target,
+                                                  const FaultyMeetingOptions& options,
+                                                  const SymmetricBalls* symmetric_balls) {
+  return faulty_meetings_from(symmetric_fronts(boundary_of(target), {}), balls, target.quads,
+                              options, symmetric_balls);
 }
 
 }  // namespace hexatlas::flips

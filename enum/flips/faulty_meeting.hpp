@@ -20,7 +20,8 @@
 namespace hexatlas::flips {
 
 struct FaultyMeetingOptions {
-  BeamOptions collars;  ///< limits of the collars' beam; its seed decides what is drawn, too
+  /// As in MeetingOptions; the seed decides what is drawn, too.
+  BeamOptions collars;
   int max_collar = 8;   ///< hexahedra
   FaultyWanted wanted;
 };

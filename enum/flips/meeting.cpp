@@ -110,6 +110,18 @@ void add_meetings(std::vector<Filling>& fillings, const Beam& balls, const Meeti
   }
 }
 
+void add_symmetric_meetings(std::vector<Filling>& fillings, const Beam& balls,
+                            const MeetingOptions& options, const SymmetricFront& start) {
+  SymmetricBeam collars({start_of_collars(start)}, Growth::inward, options.collars);
+  for (bool has_more = true; has_more; has_more = collars.expand_level()) {
+    const SymmetricCavities here = cavities_of(collars);
+    add_meetings(
+        fillings, balls, options, start.front.boundary.quads(), here.cavities,
+        [&](std::size_t cavity) { return collars.layers_to(collars.nodes()[here.node[cavity]]); });
+    if (collars.level() == options.max_collar) break;
+  }
+}
+
 }  // namespace
 
 Filling filling_of(const Beam& balls, FrontId id) {
@@ -151,9 +163,12 @@ Scars scars_of(const complex::HexComplex& mesh, const complex::Quadrangulation& 
 
 std::optional<Filling> best_meeting(const BallSource& balls, const canon::Code& target,
                                     const MeetingOptions& options) {
-  (void)boundary_of(target);
-  Beam collars(State{target, options.apart}, options.collars);
+  const complex::Quadrangulation boundary = boundary_of(target);
   Matcher matcher(balls, options.below, options.collars.threads);
+  if (are_wide(options.collars))
+    return symmetric_meeting(balls, front_without_symmetry(boundary, options.apart), options,
+                             matcher, nullptr);
+  Beam collars(State{target, options.apart}, options.collars);
   std::optional<Filling> best;
   std::size_t size = 1;
   for (int depth = 0; depth <= options.max_collar && size > 0; ++depth) {
@@ -180,9 +195,13 @@ std::optional<Filling> best_symmetric_meeting(const BallSource& balls, const can
 
 std::vector<Filling> varied_meetings(const Beam& balls, const canon::Code& target,
                                      const MeetingOptions& options) {
-  (void)boundary_of(target);
-  Beam collars(State{target, options.apart}, options.collars);
+  const complex::Quadrangulation boundary = boundary_of(target);
   std::vector<Filling> result;
+  if (are_wide(options.collars)) {
+    add_symmetric_meetings(result, balls, options, front_without_symmetry(boundary, options.apart));
+    return result;
+  }
+  Beam collars(State{target, options.apart}, options.collars);
   std::size_t size = 1;
   for (int depth = 0; depth <= options.max_collar && size > 0; ++depth) {
     if (depth > 0) size = collars.expand_level();
@@ -197,16 +216,8 @@ std::vector<Filling> varied_meetings(const Beam& balls, const canon::Code& targe
 std::vector<Filling> varied_symmetric_meetings(const Beam& balls, const canon::Code& target,
                                                const MeetingOptions& options) {
   std::vector<Filling> result;
-  for (const SymmetricFront& start : symmetric_fronts(boundary_of(target), options.apart)) {
-    SymmetricBeam collars({start_of_collars(start)}, Growth::inward, options.collars);
-    for (bool has_more = true; has_more; has_more = collars.expand_level()) {
-      const SymmetricCavities here = cavities_of(collars);
-      add_meetings(result, balls, options, target.quads, here.cavities, [&](std::size_t cavity) {
-        return collars.layers_to(collars.nodes()[here.node[cavity]]);
-      });
-      if (collars.level() == options.max_collar) break;
-    }
-  }
+  for (const SymmetricFront& start : symmetric_fronts(boundary_of(target), options.apart))
+    add_symmetric_meetings(result, balls, options, start);
   return result;
 }
 

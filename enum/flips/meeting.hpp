@@ -70,7 +70,11 @@ class BeamBalls final : public BallSource {
                              const complex::Quadrangulation& boundary);
 
 struct MeetingOptions {
-  BeamOptions collars;  ///< limits of the collars' beam
+  /// Limits of the collars' beam. Its boundaries may have up to kMaxSymmetricQuads quads: wide
+  /// collars, of more than kMaxStateQuads, take four times the memory and know no dominance, but
+  /// from the hardest boundaries hardly any narrower ones lead anywhere. Cavities that are filled
+  /// have at most kMaxStateQuads.
+  BeamOptions collars;
   int max_collar = 12;  ///< hexahedra
   int below = 1 << 14;  ///< only fillings with fewer hexahedra are of interest
   bool first = false;   ///< be content with the least filling by the thinnest collars that have one

@@ -30,6 +30,12 @@ struct SymmetricStart {
   Layers layers;
 };
 
+/// Whether collars are *wide*: with boundaries too long for the states of a Beam. They are grown by
+/// a SymmetricBeam that begins with front_without_symmetry().
+[[nodiscard]] constexpr bool are_wide(const BeamOptions& collars) noexcept {
+  return collars.max_quads > kMaxStateQuads;
+}
+
 /// No hexahedra, the boundary being that of the front.
 [[nodiscard]] SymmetricStart start_of_collars(const SymmetricFront& front);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -229,6 +230,13 @@ std::vector<SymmetricFront> symmetric_fronts(const Quadrangulation& boundary, co
   for (const Involution& involution : involutions)
     if (wide.renamed(involution.image) == wide)
       result.push_back({front_with(boundary, wide), involution.image});
+  return result;
+}
+
+SymmetricFront front_without_symmetry(const Quadrangulation& boundary, const Scars& scars) {
+  core::expects(boundary.is_three_connected(), "only a 3-connected boundary has a filling");
+  SymmetricFront result{front_with(boundary, scars), {}};
+  std::iota(result.image.begin(), result.image.end(), Vertex{0});
   return result;
 }
 

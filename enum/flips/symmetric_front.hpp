@@ -51,6 +51,12 @@ struct SymmetricFront {
                                                            const Scars& scars,
                                                            std::span<const Involution> involutions);
 
+/// The boundary with these scars and the identity in place of an involution: each hexahedron is its
+/// own image, and an orbit one step of a search without symmetry, through boundaries longer than
+/// those of a State. Requires a 3-connected quadrangulation.
+[[nodiscard]] SymmetricFront front_without_symmetry(const complex::Quadrangulation& boundary,
+                                                    const Scars& scars);
+
 /// A hexahedron and its image: the flips made one after the other, the second one in the boundary
 /// that the first one leaves. Only the first if the hexahedron is its own image.
 struct Orbit {

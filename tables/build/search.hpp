@@ -184,6 +184,7 @@ class TableSearch {
                               flips::FrontOrigin origin, int growths) const;
   [[nodiscard]] std::optional<Found> cut(const canon::Code& code) const;
   [[nodiscard]] Found in_order(const canon::Code& code, Found found) const;
+  [[nodiscard]] Found met(const canon::Code& code, complex::HexComplex mesh) const;
   void adopt(const canon::Code& code, const Found& found);
   void adopt_all(const std::vector<const canon::Code*>& batch, const Finder& find);
   [[nodiscard]] std::uint64_t seed_for(const canon::Code& code) const;

@@ -130,6 +130,12 @@ flips::MeetingOptions TableSearch::symmetric_collars_for(const canon::Code& code
   return result;
 }
 
+/// What a ball and a collar make. One that goes through long boundaries is no shelling for a Beam.
+TableSearch::Found TableSearch::met(const canon::Code& code, complex::HexComplex mesh) const {
+  const bool is_shelled = flips::widest_boundary(mesh) <= flips::kMaxStateQuads;
+  return in_order(code, {std::move(mesh), flips::FrontOrigin::met, is_shelled});
+}
+
 /// They are grown in the step that needs them first, so that a search which is taken up again gets
 /// on even if it is stopped after every step.
 const flips::SymmetricBalls* TableSearch::symmetric_balls() {
@@ -148,8 +154,7 @@ void TableSearch::symmetric_step() {
         flips::BeamBalls(balls_), code, symmetric_collars_for(code, hexahedra(code), threads),
         symmetric);
     if (!filling) return std::nullopt;
-    const bool is_shelled = flips::widest_boundary(filling->mesh) <= flips::kMaxStateQuads;
-    return in_order(code, {std::move(filling->mesh), flips::FrontOrigin::met, is_shelled});
+    return met(code, std::move(filling->mesh));
   });
 }
 
@@ -160,7 +165,7 @@ void TableSearch::collar_step() {
     auto filling =
         flips::best_meeting(flips::BeamBalls(balls_), code, collars_for(hexahedra(code), threads));
     if (!filling) return std::nullopt;
-    return Found{std::move(filling->mesh), flips::FrontOrigin::met, true};
+    return met(code, std::move(filling->mesh));
   });
 }
 

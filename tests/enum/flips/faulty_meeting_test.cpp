@@ -34,6 +34,14 @@ TEST(FaultyMeeting, KnowsItsFaults) {
   support::expect_faults_are_known(meeting_limits, flips::faulty_meetings);
 }
 
+TEST(FaultyMeeting, KnowsItsFaultsWithWideCollars) {
+  support::expect_faults_are_known(
+      meeting_limits, [](const auto& balls, const auto& code, flips::FaultyMeetingOptions options) {
+        options.collars.max_quads = 32;
+        return flips::faulty_meetings(balls, code, options);
+      });
+}
+
 TEST(FaultyMeeting, KnowsItsFaultsWithSymmetricCollars) {
   support::expect_faults_are_known(meeting_limits,
                                    [](const auto& balls, const auto& code, const auto& options) {

@@ -118,6 +118,66 @@ TEST(Meeting, CollarsReachWhatBallsDoNot) {
   EXPECT_GT(found, 10);
 }
 
+TEST(Meeting, WideCollarsAreThoseOfASearchWithoutSymmetry) {
+  // Three hexahedra add at most twelve quads: nothing is too long for the other search, and nothing
+  // is left out in either one, so both see the same collars.
+  const Beam beam = balls(limits(22, 200, 20'000), 6);
+  constexpr std::size_t kAll = 1'000'000;
+  flips::MeetingOptions narrow{.collars = limits(30, kAll, kAll), .max_collar = 3};
+  flips::MeetingOptions wide = narrow;
+  wide.collars.max_quads = 40;
+  support::Random random(63);
+  int found = 0;
+  for (int i = 0; i < 12; ++i) {
+    const auto shelling = support::random_shelling(7 + random.below(3), 18, random);
+    const auto code = canon::canonical_form(shelling.front().boundary).code;
+    const auto other = flips::best_meeting(flips::BeamBalls(beam), code, narrow);
+    const auto filling = flips::best_meeting(flips::BeamBalls(beam), code, wide);
+    ASSERT_EQ(filling.has_value(), other.has_value()) << canon::to_text(code);
+    if (!filling) continue;
+    ++found;
+    EXPECT_EQ(filling->mesh.hexahedra.size(), other->mesh.hexahedra.size());
+    EXPECT_EQ(support::fault_of_filling(filling->mesh, code), "") << canon::to_text(code);
+  }
+  EXPECT_GT(found, 4);
+}
+
+TEST(Meeting, WideCollarsGoThroughLongBoundaries) {
+  // A bar has 38 quads, and the single hexahedron is the only ball known.
+  const Beam cube = balls(limits(6, 1, 1), 1);
+  flips::MeetingOptions options{.collars = limits(38, 100, 100), .max_collar = 8};
+  options.collars.scars_per_quad = 10;
+  const auto code = support::code_of_bar(9);
+  const auto filling = flips::best_meeting(flips::BeamBalls(cube), code, options);
+  ASSERT_TRUE(filling.has_value());
+  EXPECT_EQ(filling->mesh.hexahedra.size(), 9U);
+  EXPECT_EQ(support::fault_of_filling(filling->mesh, code), "");
+  EXPECT_EQ(flips::varied_meetings(cube, code, options).size(), 1U);
+}
+
+TEST(Meeting, WideCollarsKeepApartWhatMustBe) {
+  const Beam beam = balls(limits(20, 50, 20'000), 8);
+  const auto code = canon::from_text("q1:088a2a5ddf7f").value();
+  const auto boundary = canon::decode(code).value();
+  flips::MeetingOptions options{.collars = limits(32, 50, 500), .max_collar = 6};
+  const auto free = flips::best_meeting(flips::BeamBalls(beam), code, options);
+  ASSERT_TRUE(free.has_value());
+  const flips::Scars scars = flips::scars_of(free->mesh, boundary);
+  int forbidden = 0;
+  for (complex::Vertex a = 0; a < boundary.vertices(); ++a)
+    for (complex::Vertex b = 0; b < a; ++b) {
+      if (!scars.has(a, b)) continue;
+      ++forbidden;
+      options.apart = {};
+      options.apart.add(a, b);
+      const auto filling = flips::best_meeting(flips::BeamBalls(beam), code, options);
+      if (!filling) continue;
+      EXPECT_EQ(support::fault_of_filling(filling->mesh, code), "");
+      EXPECT_FALSE(flips::scars_of(filling->mesh, boundary).has(a, b));
+    }
+  EXPECT_GT(forbidden, 0);
+}
+
 TEST(Meeting, SymmetricCollarsFillWhatHasASymmetricMesh) {
   // The single hexahedron is the only ball known: all else is symmetric collar.
   const Beam cube = balls(limits(6, 1, 1), 1);
@@ -128,7 +188,8 @@ TEST(Meeting, SymmetricCollarsFillWhatHasASymmetricMesh) {
                                     {"q1:088a2a5ddf7f", 4U},
                                     {"q1:02228a5d777f", 3U}})
     cases.emplace_back(canon::from_text(text).value(), least);
-  cases.emplace_back(support::code_of_bar(9), 9);  // 38 quads, more than states without symmetry may have
+  cases.emplace_back(support::code_of_bar(9),
+                     9);  // 38 quads, more than states without symmetry may have
   for (const auto& [code, least] : cases) {
     options.collars.max_quads = std::max(20, int{code.quads});
     const auto filling = flips::best_symmetric_meeting(flips::BeamBalls(cube), code, options);

@@ -285,6 +285,30 @@ void expect_isomorphism(const SymmetricFront& front) {
   }
 }
 
+TEST(Orbits, OfTheIdentityAreTheHexahedra) {
+  support::Random random(64);
+  for (int i = 0; i < 20; ++i) {
+    const auto shelling = support::random_shelling(2 + random.below(6), 24, random);
+    const flips::State state = flips::canonical_state(shelling.front()).state;
+    const Front front = flips::front_of(state);
+    std::vector<flips::Orbit> flips_alone;
+    std::vector<canon::Code> codes;
+    flips::for_each_glueable(front, 26, [&](flips::Flip flip, const flips::Prism& prism) {
+      flips_alone.push_back({{flip, {}}, 1});
+      codes.push_back(canon::canonical_form(flips::glued(front, flip, prism).front.boundary).code);
+    });
+    std::vector<flips::Orbit> orbits;
+    std::vector<canon::Code> made;
+    flips::for_each_glueable_orbit(flips::front_without_symmetry(front.boundary, state.scars), 26,
+                                   [&](const flips::GluedOrbit& each) {
+                                     orbits.push_back(each.orbit);
+                                     made.push_back(flips::canonical_state(each.made).state.code);
+                                   });
+    EXPECT_EQ(orbits, flips_alone);
+    EXPECT_EQ(made, codes);
+  }
+}
+
 TEST(SymmetricStates, AreThoseOfIsomorphicFronts) {
   support::Random random(72);
   std::set<SymmetricState> states;
