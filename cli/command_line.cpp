@@ -332,6 +332,10 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
            "How much such collars with few quads inside are preferred: a quad counts as so many of "
            "the pairs of vertices that a collar relates");
   }
+  effort("--guided", search.guided, 0, 20,
+         "Not 0: half of the symmetric collars, and of those with more than 30 quads inside, are "
+         "those that come to the fewest hexahedra with a ball that is known, each pair of vertices "
+         "that both relate counting as so many (try 2)");
   effort("--annealed", search.annealed, std::size_t{0}, std::size_t{1'000'000},
          "Boundaries per round whose meshes are annealed, those with the largest ones");
   effort("--anneal-starts", search.anneal_starts, std::size_t{1}, std::size_t{1'000},

@@ -36,8 +36,12 @@ class Pairings {
   Pairings(const Beam& balls, const FaultyMeetingOptions& options)
       : balls_(balls), options_(options) {}
 
-  /// Adds the pairings with one cavity. Returns whether there are any.
-  bool add(const State& cavity, int collar, std::size_t place);
+  struct Added {
+    bool any = false;              ///< whether there are any
+    Promise promise = kNoPromise;  ///< as of Matcher::promises()
+  };
+  /// Adds the pairings with one cavity.
+  Added add(const State& cavity, int collar, std::size_t place);
 
   /// Meshes drawn at random. `collar_to(place)`: the hexahedra around the cavity.
   template <class CollarTo>
@@ -57,14 +61,14 @@ class Pairings {
   FaultyKinds<Pairing> kinds_;
 };
 
-bool Pairings::add(const State& cavity, int collar, std::size_t place) {
+Pairings::Added Pairings::add(const State& cavity, int collar, std::size_t place) {
   const FaultyWanted& wanted = options_.wanted;
   const auto number = balls_.store().find(cavity.code);
-  if (!number) return false;
+  Added result;
+  if (!number) return result;
   const FrontStore::Family& family = balls_.store().family(*number);
-  if (collar + family.level_floor + 1 >= wanted.below) return false;
+  if (collar + family.level_floor + 1 >= wanted.below) return result;
   const std::vector<Automorphism> turns = automorphisms_of(cavity.code);
-  bool has_any = false;
   for (std::uint32_t t = 0; t < turns.size(); ++t) {
     // The scars of the cavity as the ball sees them.
     const Scars seen =
@@ -74,12 +78,14 @@ bool Pairings::add(const State& cavity, int collar, std::size_t place) {
       const int hexahedra = collar + ball.level + 1;
       if (hexahedra >= wanted.below) continue;
       const int faults = ball.scars.size_in_common(seen);
+      result.promise =
+          std::min(result.promise, static_cast<Promise>(hexahedra + options_.guided * faults));
       if (faults == 0 || !wanted.includes(hexahedra, faults)) continue;
       kinds_.add(faults, hexahedra, {place, {*number, k}, t});
-      has_any = true;
+      result.any = true;
     }
   }
-  return has_any;
+  return result;
 }
 
 template <class CollarTo>
@@ -120,14 +126,19 @@ std::vector<FaultyMesh> faulty_meetings_from(const std::vector<SymmetricFront>& 
   for (const SymmetricFront& start : starts) {
     SymmetricBeam& collars = searches.emplace_back(std::vector{start_of_collars(start)},
                                                    Growth::inward, options.collars);
-    for (bool has_more = true; has_more; has_more = collars.expand_level()) {
+    for (bool has_more = true; has_more;) {
+      std::vector<Promise> promises;
       for (const SymmetricBeam::Node& node : collars.nodes()) {
         const auto cavity = state_without_symmetry(node.state);
-        bool has_any = cavity && pairings.add(*cavity, collars.level(), cavities.size());
+        Pairings::Added added;
+        if (cavity) added = pairings.add(*cavity, collars.level(), cavities.size());
+        if (options.guided != 0) promises.push_back(added.promise);
+        bool has_any = added.any;
         if (symmetric_balls != nullptr && add_symmetric(node)) has_any = true;
         if (has_any) cavities.push_back({&collars, node});
       }
       if (collars.level() == options.max_collar) break;
+      has_more = collars.expand_level(promises);
     }
   }
   auto result = pairings.drawn(quads, [&](std::size_t place) {
@@ -156,7 +167,7 @@ std::vector<FaultyMesh> faulty_meetings(const Beam& balls, const canon::Code& ta
   std::vector<FrontId> cavities;
   for (std::size_t size = 1; size > 0; size = collars.expand_level()) {
     for (const FrontId cavity : collars.frontier())
-      if (pairings.add(collars.state(cavity), collars.level(), cavities.size()))
+      if (pairings.add(collars.state(cavity), collars.level(), cavities.size()).any)
         cavities.push_back(cavity);
     if (collars.level() == options.max_collar) break;
   }

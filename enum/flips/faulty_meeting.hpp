@@ -22,8 +22,9 @@ namespace hexatlas::flips {
 struct FaultyMeetingOptions {
   /// As in MeetingOptions; the seed decides what is drawn, too.
   BeamOptions collars;
-  int max_collar = 8;   ///< hexahedra
+  int max_collar = 8;  ///< hexahedra
   FaultyWanted wanted;
+  int guided = 0;  ///< as in MeetingOptions
 };
 
 /// Of all meetings of a collar of `target` with a ball of `balls` that have a fault, some drawn at

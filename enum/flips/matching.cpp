@@ -70,6 +70,31 @@ std::optional<Meeting> Matcher::match_one(const Cavity& cavity, int below) const
   return std::nullopt;
 }
 
+std::vector<Promise> Matcher::promises(std::span<const Cavity> cavities, int price) const {
+  constexpr std::size_t kPerChunk = 512;
+  std::vector<Promise> result(cavities.size());
+  parallel::parallel_for(threads_, (cavities.size() + kPerChunk - 1) / kPerChunk,
+                         [&](std::size_t c) {
+                           const std::size_t end = std::min(cavities.size(), kPerChunk * (c + 1));
+                           for (std::size_t i = kPerChunk * c; i < end; ++i)
+                             result[i] = promise_of(cavities[i], price);
+                         });
+  return result;
+}
+
+Promise Matcher::promise_of(const Cavity& cavity, int price) const {
+  const auto known = known_.find(cavity.state.code);
+  if (known == known_.end()) return kNoPromise;
+  Promise least = kNoPromise;
+  for (const Fillings::Position& position : known->second.positions) {
+    const int hexahedra = cavity.collar + known->second.balls[position.ball].hexahedra;
+    if (static_cast<Promise>(hexahedra) >= least) break;
+    const int common = position.scars.size_in_common(cavity.state.scars);
+    least = std::min(least, static_cast<Promise>(hexahedra + price * common));
+  }
+  return least;
+}
+
 complex::Quadrangulation boundary_of(const canon::Code& target) {
   const auto boundary = canon::decode(target);
   core::expects(boundary && boundary->is_three_connected(),

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "enum/flips/meeting.hpp"
+#include "enum/flips/symmetric_beam.hpp"
 
 namespace hexatlas::flips {
 
@@ -46,6 +47,10 @@ class Matcher {
   /// The least meeting of these cavities, if it is less than all before; of equal ones that of the
   /// first cavity and its first position. Deterministic for any number of threads.
   [[nodiscard]] std::optional<Meeting> match(std::span<const Cavity> cavities);
+  /// Of each of these cavities, which match() must have seen: the least number of hexahedra that a
+  /// ball makes with the collar, each scar in common counting as `price` of them; kNoPromise where
+  /// no ball is small enough to be of interest.
+  [[nodiscard]] std::vector<Promise> promises(std::span<const Cavity> cavities, int price) const;
   /// Only what has fewer hexahedra than this is still of interest.
   [[nodiscard]] int below() const noexcept { return below_; }
   void look_below(int hexahedra) noexcept { below_ = hexahedra; }
@@ -65,6 +70,7 @@ class Matcher {
 
   void add_class(const Cavity& cavity);
   [[nodiscard]] std::optional<Meeting> match_one(const Cavity& cavity, int below) const;
+  [[nodiscard]] Promise promise_of(const Cavity& cavity, int price) const;
 
   const BallSource& balls_;
   int below_;

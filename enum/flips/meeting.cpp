@@ -25,6 +25,16 @@ std::vector<Cavity> cavities_of(const Beam& collars) {
 struct SymmetricCavities {
   std::vector<Cavity> cavities;
   std::vector<std::size_t> node;  ///< of each
+
+  /// Of each node of the collars' level, after a match(); none at a price of 0.
+  [[nodiscard]] std::vector<Promise> promises(const Matcher& matcher, int price,
+                                              const SymmetricBeam& collars) const {
+    if (price == 0) return {};
+    std::vector<Promise> result(collars.nodes().size(), kNoPromise);
+    const std::vector<Promise> own = matcher.promises(cavities, price);
+    for (std::size_t i = 0; i < own.size(); ++i) result[node[i]] = own[i];
+    return result;
+  }
 };
 SymmetricCavities cavities_of(const SymmetricBeam& collars) {
   SymmetricCavities result;
@@ -42,7 +52,7 @@ std::optional<Filling> symmetric_meeting(const BallSource& balls, const Symmetri
                                          const SymmetricBalls* symmetric_balls) {
   SymmetricBeam collars({start_of_collars(start)}, Growth::inward, options.collars);
   std::optional<Filling> best;
-  for (bool has_more = true; has_more; has_more = collars.expand_level()) {
+  for (bool has_more = true; has_more;) {
     if (collars.level() + 1 >= matcher.below() || (options.first && best)) break;
     const SymmetricCavities here = cavities_of(collars);
     if (const auto meeting = matcher.match(here.cavities))
@@ -57,6 +67,7 @@ std::optional<Filling> symmetric_meeting(const BallSource& balls, const Symmetri
         matcher.look_below(fit->hexahedra);
       }
     if (collars.level() == options.max_collar) break;
+    has_more = collars.expand_level(here.promises(matcher, options.guided, collars));
   }
   return best;
 }

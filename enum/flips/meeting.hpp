@@ -77,7 +77,10 @@ struct MeetingOptions {
   BeamOptions collars;
   int max_collar = 12;  ///< hexahedra
   int below = 1 << 14;  ///< only fillings with fewer hexahedra are of interest
-  bool first = false;   ///< be content with the least filling by the thinnest collars that have one
+  /// Not 0: half of the collars expanded are those that come to the fewest hexahedra with a known
+  /// ball, each scar in common counting as so many. Of wide and symmetric collars only.
+  int guided = 0;
+  bool first = false;  ///< be content with the least filling by the thinnest collars that have one
   /// Pairs of boundary vertices, in canonical labels, that no hexahedron may contain both of: what
   /// is to be glued on outside relates them, or may do so.
   Scars apart{};

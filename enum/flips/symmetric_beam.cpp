@@ -103,7 +103,7 @@ SymmetricBeam::SymmetricBeam(std::vector<SymmetricStart> starts, Growth growth,
 }
 
 /// The nodes of this level to be expanded, ascending.
-std::vector<std::uint32_t> SymmetricBeam::choose() {
+std::vector<std::uint32_t> SymmetricBeam::choose(std::span<const Promise> promises) {
   struct Waiting {
     std::uint64_t kind = 0;
     std::uint64_t scars = 0;  ///< and the price of the quads
@@ -128,8 +128,18 @@ std::vector<std::uint32_t> SymmetricBeam::choose() {
     if (all[i].kind == all[i - 1].kind) all[i].turn = all[i - 1].turn + 1;
   std::erase_if(all, [&](const Waiting& w) { return w.turn >= options_.fronts_per_class; });
   if (all.size() > options_.fronts_per_level) {
+    const auto half = all.begin() + static_cast<std::ptrdiff_t>(options_.fronts_per_level / 2);
+    auto first = all.begin();  // of those that the other order decides about
+    if (!promises.empty()) {
+      std::nth_element(all.begin(), half, all.end(), [&](const Waiting& a, const Waiting& b) {
+        return std::tie(promises[a.index], a.scars, a.tie, a.index) <
+               std::tie(promises[b.index], b.scars, b.tie, b.index);
+      });
+      first = std::partition(all.begin(), half,
+                             [&](const Waiting& w) { return promises[w.index] != kNoPromise; });
+    }
     const auto keep = all.begin() + static_cast<std::ptrdiff_t>(options_.fronts_per_level);
-    std::nth_element(all.begin(), keep, all.end(), [](const Waiting& a, const Waiting& b) {
+    std::nth_element(first, keep, all.end(), [](const Waiting& a, const Waiting& b) {
       return std::tie(a.turn, a.scars, a.tie, a.index) < std::tie(b.turn, b.scars, b.tie, b.index);
     });
     all.erase(keep, all.end());
@@ -141,9 +151,10 @@ std::vector<std::uint32_t> SymmetricBeam::choose() {
   return result;
 }
 
-bool SymmetricBeam::expand_level() {
+bool SymmetricBeam::expand_level(std::span<const Promise> promises) {
+  core::expects(promises.empty() || promises.size() == nodes().size(), "one promise for each node");
   const auto begin = static_cast<std::uint32_t>(expanded_.nodes().size());
-  for (const std::uint32_t i : choose()) expanded_.insert(nodes()[i]);
+  for (const std::uint32_t i : choose(promises)) expanded_.insert(nodes()[i]);
   std::rotate(open_.begin(), open_.begin() + 1, open_.end());
   open_.back() = {};
   ++level_;

@@ -30,6 +30,10 @@ struct SymmetricStart {
   Layers layers;
 };
 
+/// How promising a node is: of two the one with the smaller number. kNoPromise: nothing is known.
+using Promise = std::uint32_t;
+inline constexpr Promise kNoPromise = ~Promise{0};
+
 /// Whether collars are *wide*: with boundaries too long for the states of a Beam. They are grown by
 /// a SymmetricBeam that begins with front_without_symmetry().
 [[nodiscard]] constexpr bool are_wide(const BeamOptions& collars) noexcept {
@@ -65,7 +69,9 @@ class SymmetricBeam {
   [[nodiscard]] std::span<const Node> nodes() const noexcept { return open_[0].nodes(); }
   /// Expands those of them that are chosen, and goes on to the next level, which may have no
   /// states even though the one after it has some. Returns whether any are left.
-  bool expand_level();
+  /// `promises`: of each of nodes(), or none. Then half of those chosen are the most promising
+  /// ones, whatever their class, as far as there are any with a promise.
+  bool expand_level(std::span<const Promise> promises = {});
   /// Whether no limit was hit.
   [[nodiscard]] bool is_exhaustive() const noexcept { return !is_truncated_; }
   /// Those expanded so far, in order of level.
@@ -91,7 +97,7 @@ class SymmetricBeam {
     std::vector<std::uint32_t> slots_;  ///< index plus 1, 0: free
   };
 
-  [[nodiscard]] std::vector<std::uint32_t> choose();
+  [[nodiscard]] std::vector<std::uint32_t> choose(std::span<const Promise> promises);
   void expand(std::uint32_t begin, std::uint32_t end);
   [[nodiscard]] std::size_t states() const noexcept;  ///< in memory
 

@@ -68,6 +68,7 @@ struct SearchOptions {
   flips::BeamOptions collars{
       .max_quads = flips::kMaxSearchQuads, .fronts_per_class = 20, .fronts_per_level = 3'000};
   int max_collar = 12;             ///< hexahedra
+  int guided = 0;                  ///< of wide and symmetric collars, as in MeetingOptions
   std::size_t collared = 100;      ///< boundaries per round
   std::size_t annealed = 0;        ///< boundaries per round
   std::size_t anneal_starts = 16;  ///< meshes that annealing of one boundary begins with

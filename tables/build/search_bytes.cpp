@@ -76,6 +76,8 @@ std::string TableSearch::settings() const {
          {static_cast<std::uint64_t>(own->max_quads), std::uint64_t{own->fronts_per_class},
           std::uint64_t{own->fronts_per_level}, std::uint64_t{own->scars_per_quad}})
       text += ' ' + std::to_string(number);
+  // Later than the others: a search that does without is as it was.
+  if (options_.guided != 0) text += " guided " + std::to_string(options_.guided);
   return digest_of(text);
 }
 

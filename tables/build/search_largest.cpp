@@ -115,16 +115,20 @@ void TableSearch::cut_step() {
 
 /// Collars that make fewer than `below` hexahedra, by so many threads.
 flips::MeetingOptions TableSearch::collars_for(int below, int threads) const {
-  flips::MeetingOptions result{
-      .collars = options_.collars, .max_collar = options_.max_collar, .below = below};
+  flips::MeetingOptions result{.collars = options_.collars,
+                               .max_collar = options_.max_collar,
+                               .below = below,
+                               .guided = options_.guided};
   result.collars.threads = threads;
   return result;
 }
 
 flips::MeetingOptions TableSearch::symmetric_collars_for(const canon::Code& code, int below,
                                                          int threads) const {
-  flips::MeetingOptions result{
-      .collars = options_.symmetric, .max_collar = options_.max_symmetric, .below = below};
+  flips::MeetingOptions result{.collars = options_.symmetric,
+                               .max_collar = options_.max_symmetric,
+                               .below = below,
+                               .guided = options_.guided};
   result.collars.seed = seed_for(code);  // others in each round
   result.collars.threads = threads;
   return result;
@@ -203,7 +207,8 @@ std::vector<flips::FaultyMesh> TableSearch::faulty_beginnings(
     return flips::FaultyMeetingOptions{
         .collars = strict.collars,
         .max_collar = strict.max_collar,
-        .wanted = {.below = strict.below, .count = options_.anneal_faulty}};
+        .wanted = {.below = strict.below, .count = options_.anneal_faulty},
+        .guided = strict.guided};
   };
   if (options_.anneal_faulty > 0) {
     flips::FaultyMeetingOptions plain = meetings(collars_for(size + kWorthATry, threads));

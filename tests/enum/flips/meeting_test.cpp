@@ -142,6 +142,22 @@ TEST(Meeting, WideCollarsAreThoseOfASearchWithoutSymmetry) {
   EXPECT_GT(found, 4);
 }
 
+TEST(Meeting, GuidedCollarsMakeMeshes) {
+  const Beam beam = balls(limits(22, 200, 20'000), 6);
+  flips::MeetingOptions options{.collars = limits(32, 20, 100), .max_collar = 7, .guided = 2};
+  support::Random random(65);
+  int found = 0;
+  for (int i = 0; i < 15; ++i) {
+    const auto shelling = support::random_shelling(9 + random.below(4), 20, random);
+    const auto code = canon::canonical_form(shelling.front().boundary).code;
+    const auto filling = flips::best_meeting(flips::BeamBalls(beam), code, options);
+    if (!filling) continue;
+    ++found;
+    EXPECT_EQ(support::fault_of_filling(filling->mesh, code), "") << canon::to_text(code);
+  }
+  EXPECT_GT(found, 5);
+}
+
 TEST(Meeting, WideCollarsGoThroughLongBoundaries) {
   // A bar has 38 quads, and the single hexahedron is the only ball known.
   const Beam cube = balls(limits(6, 1, 1), 1);

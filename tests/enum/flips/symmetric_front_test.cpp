@@ -415,6 +415,29 @@ TEST(SymmetricBeam, KeepsItsLimits) {
   EXPECT_GT(most, small.max_fronts / 10);
 }
 
+TEST(SymmetricBeam, ExpandsTheMostPromising) {
+  constexpr std::size_t kWidth = 20;
+  flips::SymmetricBeam beam = spindle_beam(beam_limits(1'000, kWidth, 2));
+  flips::SymmetricBeam without = spindle_beam(beam_limits(1'000, kWidth, 2));
+  while (beam.nodes().size() < 4 * kWidth) {
+    ASSERT_TRUE(beam.expand_level(std::vector(beam.nodes().size(), flips::kNoPromise)));
+    ASSERT_TRUE(without.expand_level());
+    ASSERT_EQ(beam.nodes().size(), without.nodes().size()) << "nothing promised, nothing changed";
+  }
+  std::vector<flips::Promise> promises(beam.nodes().size(), flips::kNoPromise);
+  for (std::size_t i = 0; i < promises.size(); i += 3)
+    promises[i] = static_cast<flips::Promise>(1'000 - i);
+  std::set<SymmetricState> promising;  // the last of them
+  for (std::size_t i = promises.size(); i-- > 0 && promising.size() < kWidth / 2;)
+    if (promises[i] != flips::kNoPromise) promising.insert(beam.nodes()[i].state);
+  const std::size_t before = beam.expanded().size();
+  (void)beam.expand_level(promises);
+  std::size_t found = 0;
+  for (const auto& node : beam.expanded().subspan(before)) found += promising.count(node.state);
+  EXPECT_EQ(beam.expanded().size() - before, kWidth);
+  EXPECT_EQ(found, kWidth / 2);
+}
+
 TEST(SymmetricBeam, IsTheSameForAnyNumberOfThreads) {
   flips::SymmetricBeam one = spindle_beam(beam_limits(3, 400, 1));
   flips::SymmetricBeam three = spindle_beam(beam_limits(3, 400, 3));
