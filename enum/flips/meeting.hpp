@@ -71,7 +71,7 @@ class BeamBalls final : public BallSource {
 
 struct MeetingOptions {
   /// Limits of the collars' beam. Its boundaries may have up to kMaxSymmetricQuads quads: wide
-  /// collars, of more than kMaxStateQuads, take four times the memory and know no dominance, but
+  /// collars, of more than kMaxStateQuads, take three times the memory and know no dominance, but
   /// from the hardest boundaries hardly any narrower ones lead anywhere. Cavities that are filled
   /// have at most kMaxStateQuads.
   BeamOptions collars;

@@ -123,6 +123,28 @@ TEST(TableSearch, IsTheSameForAnyThreadsAndAfterAnyInterruption) {
   EXPECT_EQ(table_of(interrupted), table_of(whole));
 }
 
+TEST(TableSearch, TakesCollarsWiderThanStates) {
+  const auto codes = build::three_connected_codes(12);
+  const auto wide = [](int threads, int guided) {
+    build::SearchOptions options = small(threads);
+    options.rounds = 1;
+    options.collars.max_quads = 36;
+    options.collars.scars_per_quad = 12;
+    options.guided = guided;
+    return options;
+  };
+  TableSearch one(codes, wide(1, 2));
+  while (!one.is_finished()) one.step();
+  TableSearch three(codes, wide(3, 2));
+  while (!three.is_finished()) three.step();
+  EXPECT_EQ(one.to_bytes(), three.to_bytes());
+  const auto verdict = check::check_table_bytes(table_of(one));
+  EXPECT_TRUE(verdict.accepted) << verdict.reason;
+  EXPECT_NO_THROW((void)TableSearch::from_bytes(one.to_bytes(), codes, wide(1, 2), "saved"));
+  EXPECT_THROW((void)TableSearch::from_bytes(one.to_bytes(), codes, wide(1, 0), "saved"),
+               core::InvalidInput);
+}
+
 TEST(TableSearch, TakesBoundariesAsWideAsStatesHave) {
   const auto codes = build::three_connected_codes(10);
   build::SearchOptions options = small(1);
