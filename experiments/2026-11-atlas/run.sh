@@ -207,7 +207,13 @@ if [[ "${1:-}" == --search ]]; then
   # And one that prefers boundaries with few simple zones.
   "$program" table build -o swept.hxt --start-from hexatlas-symmetric-balls.hxt "${quiet[@]}" --width 3500000 --per-class 20 --widest 26 \
     --irregular 1 --simple-zones 30 --seed 20270201 --memory 16 --max-hexahedra 50
-  "$program" table build -o hexatlas.hxt --start-from hexatlas-symmetric-balls.hxt swept.hxt "${last[@]/20261126/20270201}"
+  "$program" table build -o hexatlas-simple.hxt --start-from hexatlas-symmetric-balls.hxt swept.hxt "${last[@]/20261126/20270201}"
+  # A shorter one from another seed, wide collars that go by promise for those above 50, and annealing from these.
+  "$program" table build -o swept.hxt --start-from hexatlas-simple.hxt --rounds 1 --growths 0 --cut 0 --symmetric 0 --width 1000000 --per-class 20 --widest 26 \
+    --irregular 1 --simple-zones 30 --seed 20270401 --memory 14 --max-hexahedra 45 --collared 140 --collar-widest 34 --collar-narrow 12 \
+    --collar-hexahedra 26 --collar-width 3000 --guided 2 --annealed 8 --anneal-starts 1 --anneal-faulty 300 --anneal-cut 0 \
+    --symmetric-hexahedra 1 --symmetric-ball-hexahedra 0
+  "$program" table build -o hexatlas.hxt --start-from hexatlas-simple.hxt swept.hxt "${last[@]/20261126/20270401}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
