@@ -235,7 +235,7 @@ std::vector<SymmetricFront> symmetric_fronts(const Quadrangulation& boundary, co
 
 SymmetricFront front_without_symmetry(const Quadrangulation& boundary, const Scars& scars) {
   core::expects(boundary.is_three_connected(), "only a 3-connected boundary has a filling");
-  SymmetricFront result{front_with(boundary, scars), {}};
+  SymmetricFront result{front_with(boundary, scars.as<kMaxSymmetricQuads>()), {}};
   std::iota(result.image.begin(), result.image.end(), Vertex{0});
   return result;
 }
