@@ -6,6 +6,11 @@
 #include "enum/parallel/parallel_for.hpp"
 
 namespace hexatlas::flips {
+namespace {
+
+constexpr std::size_t kPerChunk = 512;  // cavities of one task
+
+}  // namespace
 
 std::vector<Automorphism> automorphisms_of(const canon::Code& code) {
   const auto boundary = canon::decode(code).value();
@@ -19,7 +24,6 @@ std::vector<Automorphism> automorphisms_of(const canon::Code& code) {
 
 std::optional<Meeting> Matcher::match(std::span<const Cavity> cavities) {
   for (const Cavity& cavity : cavities) add_class(cavity);
-  constexpr std::size_t kPerChunk = 512;
   std::vector<std::optional<Meeting>> found((cavities.size() + kPerChunk - 1) / kPerChunk);
   parallel::parallel_for(threads_, found.size(), [&](std::size_t c) {
     int below = below_;
@@ -71,7 +75,6 @@ std::optional<Meeting> Matcher::match_one(const Cavity& cavity, int below) const
 }
 
 std::vector<Promise> Matcher::promises(std::span<const Cavity> cavities, int price) const {
-  constexpr std::size_t kPerChunk = 512;
   std::vector<Promise> result(cavities.size());
   parallel::parallel_for(threads_, (cavities.size() + kPerChunk - 1) / kPerChunk,
                          [&](std::size_t c) {

@@ -78,7 +78,8 @@ struct MeetingOptions {
   int max_collar = 12;  ///< hexahedra
   int below = 1 << 14;  ///< only fillings with fewer hexahedra are of interest
   /// Not 0: half of the collars expanded are those that come to the fewest hexahedra with a known
-  /// ball, each scar in common counting as so many. Of wide and symmetric collars only.
+  /// ball, each scar in common counting as so many. Of wide and symmetric collars only, and not of
+  /// those for varied meetings.
   int guided = 0;
   bool first = false;  ///< be content with the least filling by the thinnest collars that have one
   /// Pairs of boundary vertices, in canonical labels, that no hexahedron may contain both of: what

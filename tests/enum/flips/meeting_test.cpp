@@ -34,6 +34,13 @@ Beam balls(const BeamOptions& options, int hexahedra) {
   return beam;
 }
 
+/// The boundary of a random ball of `least` hexahedra or up to `spread` - 1 more.
+canon::Code random_code(std::size_t least, std::size_t spread, int max_quads,
+                        support::Random& random) {
+  const auto shelling = support::random_shelling(least + random.below(spread), max_quads, random);
+  return canon::canonical_form(shelling.front().boundary).code;
+}
+
 TEST(Meeting, SmallBoundariesGetTheirLeastMeshes) {
   const Beam beam = balls(limits(18, 10, 2'000), 12);
   flips::MeetingOptions options{.collars = limits(18, 10, 500), .max_collar = 4};
@@ -104,8 +111,7 @@ TEST(Meeting, CollarsReachWhatBallsDoNot) {
   support::Random random(61);
   int found = 0;
   for (int i = 0; i < 25; ++i) {
-    const auto shelling = support::random_shelling(9 + random.below(4), 20, random);
-    const auto code = canon::canonical_form(shelling.front().boundary).code;
+    const auto code = random_code(9, 4, 20, random);
     const auto filling = flips::best_meeting(flips::BeamBalls(beam), code, options);
     if (!filling) continue;
     ++found;
@@ -129,8 +135,7 @@ TEST(Meeting, WideCollarsAreThoseOfASearchWithoutSymmetry) {
   support::Random random(63);
   int found = 0;
   for (int i = 0; i < 12; ++i) {
-    const auto shelling = support::random_shelling(7 + random.below(3), 18, random);
-    const auto code = canon::canonical_form(shelling.front().boundary).code;
+    const auto code = random_code(7, 3, 18, random);
     const auto other = flips::best_meeting(flips::BeamBalls(beam), code, narrow);
     const auto filling = flips::best_meeting(flips::BeamBalls(beam), code, wide);
     ASSERT_EQ(filling.has_value(), other.has_value()) << canon::to_text(code);
@@ -148,8 +153,7 @@ TEST(Meeting, GuidedCollarsMakeMeshes) {
   support::Random random(65);
   int found = 0;
   for (int i = 0; i < 15; ++i) {
-    const auto shelling = support::random_shelling(9 + random.below(4), 20, random);
-    const auto code = canon::canonical_form(shelling.front().boundary).code;
+    const auto code = random_code(9, 4, 20, random);
     const auto filling = flips::best_meeting(flips::BeamBalls(beam), code, options);
     if (!filling) continue;
     ++found;
@@ -204,8 +208,8 @@ TEST(Meeting, SymmetricCollarsFillWhatHasASymmetricMesh) {
                                     {"q1:088a2a5ddf7f", 4U},
                                     {"q1:02228a5d777f", 3U}})
     cases.emplace_back(canon::from_text(text).value(), least);
-  cases.emplace_back(support::code_of_bar(9),
-                     9);  // 38 quads, more than states without symmetry may have
+  // 38 quads, more than states of a Beam may have.
+  cases.emplace_back(support::code_of_bar(9), 9);
   for (const auto& [code, least] : cases) {
     options.collars.max_quads = std::max(20, int{code.quads});
     const auto filling = flips::best_symmetric_meeting(flips::BeamBalls(cube), code, options);
@@ -224,8 +228,7 @@ TEST(Meeting, SymmetricCollarsMeetBalls) {
   int tried = 0;
   int without = 0;
   for (int i = 0; tried < 12 && i < 2'000; ++i) {
-    const auto shelling = support::random_shelling(7 + random.below(3), 20, random);
-    const auto code = canon::canonical_form(shelling.front().boundary).code;
+    const auto code = random_code(7, 3, 20, random);
     if (flips::involutions_of(canon::decode(code).value()).empty()) {
       if (++without <= 10) {
         EXPECT_FALSE(
