@@ -347,6 +347,10 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
          "with symmetric balls in these");
   effort("--anneal-cut", search.anneal_cut, std::size_t{0}, std::size_t{100'000},
          "And more such meshes: two balls, side by side, in collars that do not quite fit");
+  effort(
+      "--anneal-transplant", search.anneal_transplant, std::size_t{0}, std::size_t{100'000},
+      "And more such meshes, some without a fault: a part of a mesh of a similar boundary, and a "
+      "ball in place of the rest");
   effort("--anneal-rounds", search.anneal_rounds, 1, 10'000'000,
          "Rounds of annealing of each mesh; each takes about 0.012 seconds of one processor");
   effort(

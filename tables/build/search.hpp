@@ -12,8 +12,9 @@
 /// has the involution, too (enum/flips/meeting.hpp, enum/flips/symmetric_balls.hpp). *Annealing*:
 /// exchange that may break the strict rule for a while (enum/flips/annealing.hpp), begun with the
 /// known mesh and with others of the same boundary from collars of all kinds, those that do not
-/// quite fit among them (enum/flips/faulty_meeting.hpp), in each dual class
-/// (enum/complex/dual_class.hpp) that these have or leaps come to. What is found goes back into the
+/// quite fit among them (enum/flips/faulty_meeting.hpp), and with parts of meshes of other
+/// boundaries (enum/flips/transplant.hpp), in each dual class (enum/complex/dual_class.hpp) that
+/// these have or leaps come to. What is found goes back into the
 /// beam, with all balls on the way, and the next sweep goes on from there: so a mesh one flip away
 /// from a smaller one becomes smaller, too. A mesh without a shelling that the beam could hold is
 /// kept beside it.
@@ -75,9 +76,10 @@ struct SearchOptions {
   /// Others with faults (enum/flips/faulty_meeting.hpp), as many with symmetric collars, and as
   /// many with symmetric balls in these.
   std::size_t anneal_faulty = 100;
-  std::size_t anneal_cut = 100;  ///< others with faults (enum/flips/faulty_cut.hpp)
-  int anneal_rounds = 8;         ///< of annealing, per beginning and leap
-  int anneal_leaps = 120;        ///< to other meshes (enum/flips/annealing.hpp)
+  std::size_t anneal_cut = 100;         ///< others with faults (enum/flips/faulty_cut.hpp)
+  std::size_t anneal_transplant = 100;  ///< others, with faults or not (enum/flips/transplant.hpp)
+  int anneal_rounds = 8;                ///< of annealing, per beginning and leap
+  int anneal_leaps = 120;               ///< to other meshes (enum/flips/annealing.hpp)
 };
 
 /// How the mesh of a boundary was found, as a word of the census; and the other way round, for
@@ -178,6 +180,8 @@ class TableSearch {
                                                             int threads) const;
   [[nodiscard]] std::vector<flips::FaultyMesh> faulty_beginnings(
       const canon::Code& code, int size, int threads, const flips::SymmetricBalls* symmetric) const;
+  [[nodiscard]] std::vector<flips::FaultyMesh> transplants(const canon::Code& code, int size,
+                                                           int threads) const;
   [[nodiscard]] std::vector<const canon::Code*> next_largest(std::size_t count);
   void begin(Phase phase, std::size_t largest);
   void next_round();

@@ -77,6 +77,8 @@ std::string TableSearch::settings() const {
           std::uint64_t{own->fronts_per_level}, std::uint64_t{own->scars_per_quad}})
       text += ' ' + std::to_string(number);
   // Later than the others: a search that does without is as it was.
+  if (options_.annealed != 0 && options_.anneal_transplant != 0)
+    text += " transplants " + std::to_string(options_.anneal_transplant);
   if (options_.guided != 0) text += " guided " + std::to_string(options_.guided);
   return digest_of(text);
 }

@@ -188,7 +188,7 @@ class Build(program.ProgramTest):
             self.hexatlas("table", "build", "-o", "a.hxt", *known, "--also", code, "--start-from", "known.hxt",
                           "--per-class", "5", "--cut", "1", "--cuts-each", "1", "--seed", seed,
                           "--annealed", boundaries, "--anneal-starts", "2", "--anneal-rounds", "20",
-                          "--anneal-leaps", "2", "--anneal-faulty", "3", "--anneal-cut", "3",
+                          "--anneal-leaps", "2", "--anneal-faulty", "3", "--anneal-cut", "3", "--anneal-transplant", "3",
                           "--collar-width", "300", "--symmetric-width", "100")
             ran = self.expect(0, self.hexatlas("table", "get", "--table", "a.hxt", "--code", code))
             found[boundaries].append(json.loads(ran.out)["hexahedra"])

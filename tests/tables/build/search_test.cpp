@@ -72,6 +72,7 @@ build::SearchOptions small(int threads) {
   options.anneal_starts = 2;
   options.anneal_faulty = 2;
   options.anneal_cut = 2;
+  options.anneal_transplant = 2;
   options.anneal_leaps = 2;
   return options;
 }
