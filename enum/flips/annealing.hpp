@@ -36,7 +36,7 @@ struct AnnealingOptions {
 /// quads+1.
 struct Beginnings {
   std::vector<complex::HexComplex> strict;  ///< balls under the strict rule
-  std::vector<FaultyMesh> faulty;           ///< faulty_meeting.hpp, faulty_cut.hpp
+  std::vector<FaultyMesh> faulty;           ///< faulty_meeting.hpp, faulty_cut.hpp, transplant.hpp
 };
 
 /// The least mesh under the strict rule that was seen, one of begin.strict if there was no smaller

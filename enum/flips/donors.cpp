@@ -23,11 +23,6 @@ using complex::VertexId;
 constexpr int kOfEachBoundary = 4;    ///< ways to see a boundary as alike
 constexpr std::size_t kLeftOver = 4;  ///< quads outside of the disc, at least
 
-BoundaryQuad ascending(BoundaryQuad quad) {
-  std::sort(quad.begin(), quad.end());
-  return quad;
-}
-
 /// Whether each vertex inside has three quads: those of a 3-connected boundary do.
 bool may_be_on_boundary(const Disc& disc, int circle, int interior) {
   std::vector<int> degree(static_cast<std::size_t>(circle + interior));

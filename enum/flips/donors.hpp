@@ -2,6 +2,7 @@
 /// \file
 /// Meshes of the boundaries that are alike to a given one (transplant.hpp).
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,12 @@ struct Donor {
   std::vector<complex::BoundaryQuad> lost;    ///< the disc that it replaces, each ascending
   std::vector<std::uint32_t> torn;            ///< hexahedra with a quad, or at a vertex inside it
 };
+
+/// The same vertices in ascending order: equal for quads with the same vertices.
+[[nodiscard]] inline complex::BoundaryQuad ascending(complex::BoundaryQuad quad) {
+  std::sort(quad.begin(), quad.end());
+  return quad;
+}
 
 /// The donors of a target, of fewer than options.wanted.below hexahedra, in a fixed order; of each
 /// boundary at most four. Requires what transplants() does. Cost: about a second.

@@ -72,9 +72,8 @@ std::optional<Cavity> cavity_of(const Donor& donor, const SubBall& ball) {
   for (int k = 0; k < rim.quads(); ++k) {
     const QuadVertices own = rim.vertices_of(k);
     const BoundaryQuad quad{ball.rim(own[0]), ball.rim(own[1]), ball.rim(own[2]), ball.rim(own[3])};
-    BoundaryQuad key = quad;
-    std::sort(key.begin(), key.end());
-    if (std::find(donor.lost.begin(), donor.lost.end(), key) == donor.lost.end()) add(quad);
+    if (std::find(donor.lost.begin(), donor.lost.end(), ascending(quad)) == donor.lost.end())
+      add(quad);
   }
   const std::size_t kept = quads.size();
   for (const QuadVertices& quad : donor.gained) add({quad[0], quad[1], quad[2], quad[3]});
@@ -139,7 +138,6 @@ class Transplants {
   void try_one(Random& random, std::vector<Union>& found) const {
     const auto number = static_cast<std::uint32_t>(random.below(donors_.size()));
     const Donor& donor = donors_[number];
-    if (donor.torn.empty()) return;
     SubBall ball(donor.mesh, donor.neighbours, donor.torn[random.below(donor.torn.size())]);
     const int weight = static_cast<int>(random.below(5));
     if (!grow_over_torn(donor, ball, weight, random)) return;
