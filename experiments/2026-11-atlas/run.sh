@@ -8,7 +8,7 @@ commit=$(git -C ../.. describe --always --dirty --abbrev=12) # before the result
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 if [[ "${1:-}" == --search ]]; then
-  plain=(--symmetric 0 --anneal-faulty 0 --anneal-cut 0) # the runs before symmetric collars, and before beginnings with faults
+  plain=(--symmetric 0 --anneal-faulty 0 --anneal-cut 0 --anneal-transplant 0) # the runs before symmetric collars, and before beginnings with faults
   "$program" table build -o hexatlas.hxt --state hexatlas.state "${plain[@]}"
   "$program" table build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas.state \
     --rounds 1 --max-hexahedra 1 --cut 2000 --cuts-each 4 --collared 0 "${plain[@]}"
@@ -52,7 +52,7 @@ if [[ "${1:-}" == --search ]]; then
     --growths 4 --collared 0
   # A sweep whose targets have 22 quads, too, then annealing. Its rounds were of eight walks once; of two, as today, they are four
   # times as many.
-  none=(--cut 0 --symmetric 0 --collared 0 --growths 0 --rounds 1 --anneal-faulty 0 --anneal-cut 0)
+  none=(--cut 0 --symmetric 0 --collared 0 --growths 0 --rounds 1 --anneal-faulty 0 --anneal-cut 0 --anneal-transplant 0)
   again=(--width 900000 --per-class 200 --seed 20261124 "${none[@]}")
   "$program" table build -o swept-22.hxt --state swept-22.state --max-quads 22 --start-from hexatlas-end.hxt "${again[@]}" \
     --max-hexahedra 58
@@ -63,7 +63,7 @@ if [[ "${1:-}" == --search ]]; then
     --max-hexahedra 1
   # Another sweep; then annealing that begins with many meshes: for the two largest, then with more for the largest.
   fresh=(--width 900000 --per-class 200 --seed 20261125 --growths 0 --cut 0 --symmetric 0 --collared 0 --rounds 1)
-  thick=(--collar-hexahedra 30 --collar-widest 30 --collar-narrow 3 --symmetric-hexahedra 58 --anneal-rounds 240 --anneal-faulty 0 --anneal-cut 0)
+  thick=(--collar-hexahedra 30 --collar-widest 30 --collar-narrow 3 --symmetric-hexahedra 58 --anneal-rounds 240 --anneal-faulty 0 --anneal-cut 0 --anneal-transplant 0)
   "$program" table build -o fresh.hxt --state fresh.state --start-from hexatlas-annealed.hxt "${fresh[@]}" --max-hexahedra 58
   "$program" table build -o two.hxt --state two.state --start-from fresh.state fresh.hxt "${fresh[@]}" "${thick[@]}" \
     --max-hexahedra 1 --annealed 2 --anneal-starts 60 --symmetric-width 6000 --symmetric-widest 40 --collar-width 3000
@@ -162,7 +162,7 @@ if [[ "${1:-}" == --search ]]; then
       --symmetric 0 --irregular "${preferring:-0}")
     "$program" table build -o swept.hxt --state "$swept" --start-from "$1" hexatlas-22.hxt "${options[@]}" --memory "${memory:-14}" --max-hexahedra "${most:-56}"
     "$program" table build -o faulty.hxt --start-from "$swept" swept.hxt "${options[@]}" --max-hexahedra 1 --annealed "$3" --anneal-starts 1 \
-      --anneal-leaps 0 --anneal-faulty 400 --anneal-cut "$4" "${@:7}"
+      --anneal-leaps 0 --anneal-faulty 400 --anneal-cut "$4" --anneal-transplant 0 "${@:7}"
     "$program" table build -o "$5" --start-from "$1" swept.hxt faulty.hxt "${last[@]/20261126/$2}"
   }
   narrow=(--collar-hexahedra 10 --collar-width 10000)
@@ -211,7 +211,7 @@ if [[ "${1:-}" == --search ]]; then
   # A shorter one from another seed, wide collars that go by promise for those above 50, and annealing from these.
   "$program" table build -o swept.hxt --start-from hexatlas-simple.hxt --rounds 1 --growths 0 --cut 0 --symmetric 0 --width 1000000 --per-class 20 --widest 26 \
     --irregular 1 --simple-zones 30 --seed 20270401 --memory 14 --max-hexahedra 45 --collared 140 --collar-widest 34 --collar-narrow 12 \
-    --collar-hexahedra 26 --collar-width 3000 --guided 2 --annealed 8 --anneal-starts 1 --anneal-faulty 300 --anneal-cut 0 \
+    --collar-hexahedra 26 --collar-width 3000 --guided 2 --annealed 8 --anneal-starts 1 --anneal-faulty 300 --anneal-cut 0 --anneal-transplant 0 \
     --symmetric-hexahedra 1 --symmetric-ball-hexahedra 0
   "$program" table build -o hexatlas.hxt --start-from hexatlas-simple.hxt swept.hxt "${last[@]/20261126/20270401}"
 fi
