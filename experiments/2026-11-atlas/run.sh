@@ -213,7 +213,16 @@ if [[ "${1:-}" == --search ]]; then
     --irregular 1 --simple-zones 30 --seed 20270401 --memory 14 --max-hexahedra 45 --collared 140 --collar-widest 34 --collar-narrow 12 \
     --collar-hexahedra 26 --collar-width 3000 --guided 2 --annealed 8 --anneal-starts 1 --anneal-faulty 300 --anneal-cut 0 --anneal-transplant 0 \
     --symmetric-hexahedra 1 --symmetric-ball-hexahedra 0
-  "$program" table build -o hexatlas.hxt --start-from hexatlas-simple.hxt swept.hxt "${last[@]/20261126/20270401}"
+  "$program" table build -o hexatlas-wide-collars.hxt --start-from hexatlas-simple.hxt swept.hxt "${last[@]/20261126/20270401}"
+  # Transplants, with the balls of such a sweep from another seed: for those with 50 hexahedra and more, then for those with 47 and more (stopped after 27 CPU minutes).
+  transplants=(--width 1000000 --per-class 20 --widest 26 --irregular 1 --simple-zones 30 --seed 20270501 --memory 12 --rounds 1 --growths 0 --cut 0
+    --symmetric 0 --symmetric-ball-hexahedra 0 --collared 0 --anneal-starts 1 --anneal-faulty 0 --anneal-cut 0 --anneal-leaps 0)
+  "$program" table build -o swept.hxt --state swept.state --start-from hexatlas-wide-collars.hxt "${transplants[@]}" --max-hexahedra 45
+  "$program" table build -o fifty.hxt --start-from swept.state hexatlas-wide-collars.hxt "${transplants[@]}" --max-hexahedra 1 \
+    --annealed 141 --anneal-transplant 60
+  "$program" table build -o transplanted.hxt --start-from swept.state fifty.hxt "${transplants[@]}" --max-hexahedra 1 \
+    --annealed 900 --anneal-transplant 24
+  "$program" table build -o hexatlas.hxt --start-from hexatlas-wide-collars.hxt transplanted.hxt "${last[@]/20261126/20270501}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
