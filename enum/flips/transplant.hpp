@@ -48,9 +48,9 @@ struct TransplantOptions {
 /// faulty_meetings(); those without a fault may be among them, and the least of these is if it is
 /// smaller than the mesh that `meshes` has of the target. Meshes in which two facets have the same
 /// vertices are left out. Requires that `target` is the code of a 3-connected quadrangulation with
-/// at most kMaxSearchQuads quads, that `balls` grew from the single hexahedron, and that `meshes`
-/// may be called from several threads. Deterministic. Cost: up to a second for the boundaries that
-/// are alike, and some 0.1 ms per try.
+/// at most kMaxSearchQuads quads, that `balls` grew from the single hexahedron, and that at least
+/// one mesh is wanted. Deterministic. Cost: up to a second for the boundaries that are alike, and
+/// some 0.1 ms per try.
 [[nodiscard]] std::vector<FaultyMesh> transplants(const Beam& balls, const MeshSource& meshes,
                                                   const canon::Code& target,
                                                   const TransplantOptions& options);
