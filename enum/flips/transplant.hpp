@@ -45,12 +45,11 @@ struct TransplantOptions {
 };
 
 /// Of all meshes of `target` by transplants that are met, some drawn at random as by
-/// faulty_meetings(); those without a fault may be among them, and the least of these is if it is
-/// smaller than the mesh that `meshes` has of the target. Meshes in which two facets have the same
-/// vertices are left out. Requires that `target` is the code of a 3-connected quadrangulation with
-/// at most kMaxSearchQuads quads, that `balls` grew from the single hexahedron, and that at least
-/// one mesh is wanted. Deterministic. Cost: up to a second for the boundaries that are alike, and
-/// some 0.1 ms per try.
+/// faulty_meetings(); if there are any without a fault, the least of these comes first. Meshes in
+/// which two facets have the same vertices are left out. Requires that `target` is the code of a
+/// 3-connected quadrangulation with at most kMaxSearchQuads quads, that `balls` grew from the
+/// single hexahedron, and that at least one mesh is wanted. Deterministic. Cost: up to a second for
+/// the boundaries that are alike, and some 0.1 ms per try.
 [[nodiscard]] std::vector<FaultyMesh> transplants(const Beam& balls, const MeshSource& meshes,
                                                   const canon::Code& target,
                                                   const TransplantOptions& options);
