@@ -4,76 +4,23 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <mutex>
 #include <optional>
 #include <utility>
 
 #include "enum/core/checks.hpp"
 #include "enum/flips/circles.hpp"
+#include "enum/flips/numbered_boundary.hpp"
 
 namespace hexatlas::flips {
-namespace {
 
-using complex::Quadrangulation;
 using complex::QuadVertices;
 using complex::Vertex;
 using complex::VertexId;
 
-constexpr std::size_t kMaxCircle = 10;
-constexpr std::size_t kMaxInterior = 8;
-
-/// A pair of vertices of a circle of at most 10, as a bit.
-std::uint64_t pair_bit(std::size_t i, std::size_t j) {
-  const std::size_t low = std::min(i, j), high = std::max(i, j);
-  return std::uint64_t{1} << (high * (high - 1) / 2 + low);
-}
-
-/// A disc, with what shows at a glance that it does not fit.
-struct MarkedDisc {
-  Disc quads;
-  VertexSet narrow = 0;      ///< the boundary vertices with one quad
-  std::uint64_t chords = 0;  ///< the edges between boundary vertices, those of the circle left out
-};
-
-/// nullopt if a vertex inside has fewer than 3 quads: no boundary that is 3-connected has one.
-std::optional<MarkedDisc> marked(const Disc& disc, std::size_t length) {
-  MarkedDisc result{disc};
-  std::array<int, kMaxDiscVertices> degree{};
-  for (const QuadVertices& quad : disc)
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t v = quad[i];
-      const std::size_t w = quad[(i + 1) % 4];
-      ++degree[v];
-      if (v < length && w < length && (v + 1) % length != w) result.chords |= pair_bit(v, w);
-    }
-  for (std::size_t v = 0; v < degree.size(); ++v) {
-    if (v < length && degree[v] == 1) result.narrow |= bit(static_cast<Vertex>(v));
-    if (v >= length && (degree[v] == 1 || degree[v] == 2)) return std::nullopt;
-  }
-  return result;
-}
-
-/// Made once for each pair of numbers.
-const std::vector<MarkedDisc>& marked_discs(std::size_t length, std::size_t interior) {
-  struct Lists {
-    std::array<std::array<std::once_flag, kMaxInterior + 1>, kMaxCircle + 1> once;
-    std::array<std::array<std::vector<MarkedDisc>, kMaxInterior + 1>, kMaxCircle + 1> list;
-  };
-  static Lists lists;
-  std::vector<MarkedDisc>& own = lists.list[length][interior];
-  std::call_once(lists.once[length][interior], [&] {
-    for (const Disc& disc : discs(static_cast<int>(length), static_cast<int>(interior)))
-      if (auto result = marked(disc, length)) own.push_back(*std::move(result));
-  });
-  return own;
-}
-
-}  // namespace
-
 CutList::CutList(const BallSource& balls, const canon::Code& target, const CutOptions& options)
     : source_(balls), q_(canon::decode(target).value()), graph_(graph_of(q_)), options_(options) {
-  core::expects(options.max_circle <= static_cast<int>(kMaxCircle) &&
-                    options.max_interior <= static_cast<int>(kMaxInterior) &&
+  core::expects(options.max_circle <= static_cast<int>(kMaxDiscCircle) &&
+                    options.max_interior <= static_cast<int>(kMaxDiscInterior) &&
                     options.max_quads <= kMaxStateQuads,
                 "a cut is small");
   for (int length = 4; length <= options_.max_circle; length += 2)
@@ -111,11 +58,7 @@ void CutList::list_cuts(const Circle& circle) {
 }
 
 void CutList::list_cut(const std::vector<bool>& left, const Circle& rim, const Disc& disc) {
-  Cut cut{left, disc, 0};
-  for (QuadVertices& quad : cut.disc)
-    for (Vertex& v : quad)
-      v = v < rim.size() ? rim[v]
-                         : static_cast<Vertex>(q_.vertices() + v - static_cast<int>(rim.size()));
+  Cut cut{left, placed(disc, rim, static_cast<Vertex>(q_.vertices())), 0};
   const auto sides = sides_if_known(cut);
   if (!sides) return;
   cut.least = (*sides)[0].least + (*sides)[1].least;
@@ -144,29 +87,16 @@ CutSides CutList::sides_of(const Cut& cut) const { return sides_if_known(cut).va
 
 /// nullopt if the quads are no boundary of a known ball.
 std::optional<CutSide> CutList::side_if_known(const std::vector<QuadVertices>& quads) const {
+  auto numbered = three_connected_boundary(quads);
+  if (!numbered) return std::nullopt;
   CutSide side;
-  constexpr Vertex kNone = 0xFF;
-  std::array<Vertex, complex::kMaxVertices> number{};
-  number.fill(kNone);
-  std::vector<QuadVertices> own = quads;
-  for (QuadVertices& quad : own)
-    for (Vertex& v : quad) {
-      if (number[v] == kNone) {
-        number[v] = static_cast<Vertex>(side.in_cut.size());
-        side.in_cut.push_back(v);
-      }
-      v = number[v];
-    }
-  if (side.in_cut.size() != quads.size() + 2) return std::nullopt;
-  const auto boundary = Quadrangulation::from_quads(own);
-  if (!boundary || !boundary->is_three_connected()) return std::nullopt;
-  side.boundary = *boundary;
-  canon::canonical_flags(*boundary, side.flags);
+  side.in_cut = std::move(numbered->name);
+  side.boundary = numbered->boundary;
+  canon::canonical_flags(side.boundary, side.flags);
   const auto least = source_.least_with(side.flags.code);
   if (!least) return std::nullopt;
   side.least = *least;
-  for (const QuadVertices& quad : quads)
-    for (const Vertex v : quad) side.of_quads[v] |= set_of(quad);
+  for (const QuadVertices& quad : quads) relate(set_of(quad), side.of_quads);
   return side;
 }
 
@@ -174,7 +104,7 @@ CutList::Pairs CutList::pairs_of(const Cut& cut) {
   Relation in_disc{};
   VertexSet all = 0;
   for (const QuadVertices& quad : cut.disc) {
-    for (const Vertex v : quad) in_disc[v] |= set_of(quad);
+    relate(set_of(quad), in_disc);
     all |= set_of(quad);
   }
   Pairs result;

@@ -23,8 +23,6 @@
 
 namespace hexatlas::flips {
 
-constexpr std::size_t kMaxDiscVertices = 16;
-
 /// Pairs of vertices of one disc.
 using PairSet = std::bitset<kMaxDiscVertices*(kMaxDiscVertices - 1) / 2>;
 

@@ -1,5 +1,8 @@
 #include "enum/flips/disc.hpp"
 
+#include <array>
+#include <mutex>
+#include <optional>
 #include <utility>
 
 #include "enum/core/checks.hpp"
@@ -97,11 +100,50 @@ class Filler {
   std::vector<Disc> result_;
 };
 
+/// nullopt if a vertex inside has fewer than 3 quads.
+std::optional<MarkedDisc> marked(const Disc& disc, std::size_t length) {
+  MarkedDisc result{disc};
+  std::array<int, kMaxDiscVertices> degree{};
+  for (const complex::QuadVertices& quad : disc)
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t v = quad[i];
+      const std::size_t w = quad[(i + 1) % 4];
+      ++degree[v];
+      if (v < length && w < length && (v + 1) % length != w) result.chords |= pair_bit(v, w);
+    }
+  for (std::size_t v = 0; v < degree.size(); ++v) {
+    if (v < length && degree[v] == 1) result.narrow |= bit(static_cast<Vertex>(v));
+    if (v >= length && (degree[v] == 1 || degree[v] == 2)) return std::nullopt;
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Disc> discs(int length, int interior) {
   core::expects(length >= 4 && length % 2 == 0 && interior >= 0, "a disc has an even boundary");
   return Filler(length, interior).run();
+}
+
+const std::vector<MarkedDisc>& marked_discs(std::size_t length, std::size_t interior) {
+  struct Lists {
+    std::array<std::array<std::once_flag, kMaxDiscInterior + 1>, kMaxDiscCircle + 1> once;
+    std::array<std::array<std::vector<MarkedDisc>, kMaxDiscInterior + 1>, kMaxDiscCircle + 1> list;
+  };
+  static Lists lists;
+  std::vector<MarkedDisc>& own = lists.list[length][interior];
+  std::call_once(lists.once[length][interior], [&] {
+    for (const Disc& disc : discs(static_cast<int>(length), static_cast<int>(interior)))
+      if (auto result = marked(disc, length)) own.push_back(*std::move(result));
+  });
+  return own;
+}
+
+Disc placed(Disc disc, std::span<const Vertex> rim, Vertex first_inside) {
+  for (complex::QuadVertices& quad : disc)
+    for (Vertex& v : quad)
+      v = v < rim.size() ? rim[v] : static_cast<Vertex>(first_inside + v - rim.size());
+  return disc;
 }
 
 }  // namespace hexatlas::flips

@@ -59,11 +59,7 @@ struct Renumbering {
 Relation relation_of_quads(const Quadrangulation& q) {
   core::expects(q.quads() <= kMaxFrontQuads, "a front has at most 62 quads");
   Relation related{};
-  for (int i = 0; i < q.quads(); ++i) {
-    const QuadVertices quad = q.vertices_of(i);
-    const VertexSet set = set_of(quad);
-    for (const Vertex v : quad) related[v] |= set;
-  }
+  for (int i = 0; i < q.quads(); ++i) relate(set_of(q.vertices_of(i)), related);
   return related;
 }
 

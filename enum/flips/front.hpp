@@ -47,6 +47,12 @@ struct Front {
   Relation related{};
 };
 
+/// Relates all of these vertices to each other.
+inline void relate(VertexSet vertices, Relation& related) noexcept {
+  for (VertexSet rest = vertices; rest != 0; rest &= rest - 1)
+    related[static_cast<std::size_t>(std::countr_zero(rest))] |= vertices;
+}
+
 /// The relation of quads alone: two vertices of one quad. It is the relation of a single
 /// hexahedron, and of the outer side of any boundary that nothing has been glued to.
 [[nodiscard]] Relation relation_of_quads(const complex::Quadrangulation& q);

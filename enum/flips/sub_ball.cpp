@@ -241,8 +241,7 @@ void SubBall::relate_vertices_of(std::uint32_t cell, Relation& related) const {
   VertexSet own = 0;
   for (const VertexId v : mesh_.hexahedra[cell])
     if (rim_.at[v] != kNewVertex) own |= bit(rim_.at[v]);
-  for (VertexSet rest = own; rest != 0; rest &= rest - 1)
-    related[static_cast<std::size_t>(std::countr_zero(rest))] |= own;
+  relate(own, related);
 }
 
 Relation SubBall::related_outside() const {

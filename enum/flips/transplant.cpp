@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <span>
 #include <utility>
 
 #include "enum/core/checks.hpp"
 #include "enum/core/random.hpp"
+#include "enum/flips/disc.hpp"
 #include "enum/flips/donors.hpp"
+#include "enum/flips/exchange.hpp"
+#include "enum/flips/numbered_boundary.hpp"
 #include "enum/flips/scars.hpp"
 #include "enum/parallel/parallel_for.hpp"
 
@@ -28,18 +30,11 @@ constexpr std::size_t kFurther = 24;   ///< hexahedra of a ball beside those tha
 constexpr std::size_t kStepsOverTorn = 40;
 constexpr std::size_t kFitsEach = 3;  ///< balls taken for one cavity
 
-/// The boundary of what a transplant leaves open.
+/// What a transplant leaves open.
 struct Cavity {
-  Quadrangulation boundary;
-  std::vector<VertexId> vertex;  ///< of the donor's mesh, of each vertex of the boundary
-  Relation gained{};             ///< pairs in a quad of the target's disc, and in no other one
+  NumberedBoundary<VertexId> rim;  ///< names: the vertices of the donor's mesh
+  Relation gained{};               ///< pairs in a quad of the target's disc, and in no other one
 };
-
-/// Relates the vertices of these quads.
-void relate(std::span<const QuadVertices> quads, Relation& related) {
-  for (const QuadVertices& quad : quads)
-    for (const Vertex v : quad) related[v] |= set_of(quad);
-}
 
 /// A transplant and a ball in its cavity.
 struct Union {
@@ -52,54 +47,41 @@ struct Union {
   int faults = 0;
 };
 
-/// What is left of the donor's mesh and `ball`, a part of it, is taken out.
+/// The cavity that is left when `ball`, a part of the donor's mesh, is taken out.
 std::optional<Cavity> cavity_of(const Donor& donor, const SubBall& ball) {
-  constexpr Vertex kNone = 0xFF;
-  std::vector<Vertex> number(donor.mesh.vertices, kNone);
-  Cavity result;
-  std::vector<QuadVertices> quads;
-  const auto add = [&](const BoundaryQuad& quad) {
-    QuadVertices& own = quads.emplace_back();
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (number[quad[i]] == kNone) {
-        number[quad[i]] = static_cast<Vertex>(result.vertex.size());
-        result.vertex.push_back(quad[i]);
-      }
-      own[i] = number[quad[i]];
-    }
-  };
-  const Quadrangulation& rim = ball.front().boundary;
-  for (int k = 0; k < rim.quads(); ++k) {
-    const QuadVertices own = rim.vertices_of(k);
+  std::vector<BoundaryQuad> quads;
+  const Quadrangulation& around = ball.front().boundary;
+  for (int k = 0; k < around.quads(); ++k) {
+    const QuadVertices own = around.vertices_of(k);
     const BoundaryQuad quad{ball.rim(own[0]), ball.rim(own[1]), ball.rim(own[2]), ball.rim(own[3])};
     if (std::find(donor.lost.begin(), donor.lost.end(), ascending(quad)) == donor.lost.end())
-      add(quad);
+      quads.push_back(quad);
   }
   const std::size_t kept = quads.size();
-  for (const QuadVertices& quad : donor.gained) add({quad[0], quad[1], quad[2], quad[3]});
-  if (result.vertex.size() != quads.size() + 2) return std::nullopt;
-  const auto boundary = Quadrangulation::from_quads(quads);
-  if (!boundary || !boundary->is_three_connected()) return std::nullopt;
-  result.boundary = *boundary;
+  for (const QuadVertices& quad : donor.gained)
+    quads.push_back({quad[0], quad[1], quad[2], quad[3]});
+  auto rim = three_connected_boundary(quads);
+  if (!rim) return std::nullopt;
+  Cavity result{*std::move(rim), {}};
   Relation outside{};
-  relate(std::span(quads).first(kept), outside);
-  relate(std::span(quads).subspan(kept), result.gained);
-  for (std::size_t v = 0; v < result.vertex.size(); ++v) result.gained[v] &= ~outside[v];
+  for (std::size_t k = 0; k < quads.size(); ++k)
+    relate(set_of(result.rim.boundary.vertices_of(static_cast<int>(k))),
+           k < kept ? outside : result.gained);
+  for (std::size_t v = 0; v < result.rim.name.size(); ++v) result.gained[v] &= ~outside[v];
   return result;
 }
 
 /// The pairs of the cavity's vertices that some hexahedron of the transplant has.
 Relation related_by_transplant(const Donor& donor, const SubBall& ball, const Cavity& cavity) {
   std::vector<VertexSet> own(donor.mesh.vertices, 0);
-  for (std::size_t v = 0; v < cavity.vertex.size(); ++v)
-    own[cavity.vertex[v]] = bit(static_cast<Vertex>(v));
+  for (std::size_t v = 0; v < cavity.rim.name.size(); ++v)
+    own[cavity.rim.name[v]] = bit(static_cast<Vertex>(v));
   Relation related{};
   for (std::uint32_t c = 0; c < donor.mesh.hexahedra.size(); ++c) {
     if (ball.contains(c)) continue;
     VertexSet set = 0;
     for (const VertexId v : donor.mesh.hexahedra[c]) set |= own[v];
-    for (VertexSet rest = set; rest != 0; rest &= rest - 1)
-      related[static_cast<std::size_t>(std::countr_zero(rest))] |= set;
+    relate(set, related);
   }
   return related;
 }
@@ -108,7 +90,7 @@ Relation related_by_transplant(const Donor& donor, const SubBall& ball, const Ca
 /// disc, two vertices of which the transplant may relate.
 int faults_of_disc(const Cavity& cavity, const Relation& related) {
   int twice = 0;
-  for (std::size_t v = 0; v < cavity.vertex.size(); ++v)
+  for (std::size_t v = 0; v < cavity.rim.name.size(); ++v)
     twice += std::popcount(cavity.gained[v] & related[v] & ~bit(static_cast<Vertex>(v)));
   return twice / 2;
 }
@@ -172,25 +154,25 @@ class Transplants {
     const auto cavity = cavity_of(donor, ball);
     if (!cavity) return;
     canon::CanonicalFlags flags;
-    canon::canonical_flags(cavity->boundary, flags);
+    canon::canonical_flags(cavity->rim.boundary, flags);
     const auto family = balls_.store().find(flags.code);
     const int left = static_cast<int>(donor.mesh.hexahedra.size() - ball.cells().size());
     if (!family || left + balls_.store().family(*family).level_floor + 1 >= options_.wanted.below)
       return;
     const Relation related = related_by_transplant(donor, ball, *cavity);
-    const auto positions = positions_of(cavity->boundary, flags, related);
+    const auto positions = positions_of(cavity->rim.boundary, flags, related);
+    const std::vector<VertexId>& names = cavity->rim.name;
     const int of_disc = faults_of_disc(*cavity, related);
     for (const Fitting& own : fittings_of(*family, positions, left, of_disc)) {
       const Position& position = positions[own.position];
       Union& made = found.emplace_back(Union{.donor = number,
                                              .taken_out = ball.cells(),
                                              .ball = {*family, own.place},
-                                             .rim = std::vector<VertexId>(cavity->vertex.size()),
+                                             .rim = std::vector<VertexId>(names.size()),
                                              .is_mirrored = position.is_mirrored,
                                              .hexahedra = own.hexahedra,
                                              .faults = own.faults});
-      for (std::size_t v = 0; v < cavity->vertex.size(); ++v)
-        made.rim[position.label[v]] = cavity->vertex[v];
+      for (std::size_t v = 0; v < names.size(); ++v) made.rim[position.label[v]] = names[v];
     }
   }
 
@@ -248,13 +230,9 @@ class Transplants {
   }
 
   void add_mesh(const Union& own, std::vector<FaultyMesh>& result) const {
-    const HexComplex& donor = donors_[own.donor].mesh;
-    std::vector<bool> is_out(donor.hexahedra.size());
-    for (const std::uint32_t cell : own.taken_out) is_out[cell] = true;
-    HexComplex mesh{donor.vertices, {}};
-    for (std::size_t c = 0; c < donor.hexahedra.size(); ++c)
-      if (!is_out[c]) mesh.hexahedra.push_back(donor.hexahedra[c]);
-    append_ball(mesh, layers_along(balls_, own.ball, Growth::outward), own.rim, own.is_mirrored);
+    HexComplex mesh =
+        exchanged(donors_[own.donor].mesh, own.taken_out,
+                  layers_along(balls_, own.ball, Growth::outward), own.rim, own.is_mirrored);
     mesh = complex::compacted(std::move(mesh), target_.quads + 2);
     if (SubBall::neighbours_if_complex(mesh, target_.quads))
       result.push_back({std::move(mesh), own.faults});
@@ -270,8 +248,11 @@ class Transplants {
 
 std::vector<FaultyMesh> transplants(const Beam& balls, const MeshSource& meshes,
                                     const canon::Code& target, const TransplantOptions& options) {
-  core::expects(target.quads <= kMaxSearchQuads && options.max_circle <= 10,
-                "a boundary with few quads, and short circles");
+  core::expects(target.quads <= kMaxSearchQuads &&
+                    options.max_circle <= static_cast<int>(kMaxDiscCircle) &&
+                    options.max_interior <= static_cast<int>(kMaxDiscInterior) &&
+                    options.max_circle + options.max_interior <= static_cast<int>(kMaxDiscVertices),
+                "a boundary with few quads, and small discs");
   return Transplants(balls, meshes, target, options).run();
 }
 

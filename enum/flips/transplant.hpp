@@ -35,9 +35,10 @@ namespace hexatlas::flips {
 using MeshSource = std::function<std::optional<complex::HexComplex>(const canon::Code&, int below)>;
 
 struct TransplantOptions {
-  int max_circle = 8;          ///< edges of the circle around both discs, at most 10
-  int max_gained = 10;         ///< quads of the disc of the target
-  int max_interior = 3;        ///< vertices inside the disc that it replaces
+  int max_circle = 8;   ///< edges of the circle around both discs, at most 10
+  int max_gained = 10;  ///< quads of the disc of the target
+  int max_interior =
+      3;  ///< vertices inside the disc that it replaces, at most 8, and 16 with those of the circle
   std::size_t tries = 20'000;  ///< balls grown, each in a mesh drawn at random
   FaultyWanted wanted;
   std::uint64_t seed = 1;

@@ -180,7 +180,7 @@ class TableSearch {
                                                             int threads) const;
   [[nodiscard]] std::vector<flips::FaultyMesh> faulty_beginnings(
       const canon::Code& code, int size, int threads, const flips::SymmetricBalls* symmetric) const;
-  [[nodiscard]] std::vector<flips::FaultyMesh> transplants(const canon::Code& code, int size,
+  [[nodiscard]] std::vector<flips::FaultyMesh> transplants(const canon::Code& code, int below,
                                                            int threads) const;
   [[nodiscard]] std::vector<const canon::Code*> next_largest(std::size_t count);
   void begin(Phase phase, std::size_t largest);

@@ -16,9 +16,6 @@ namespace hexatlas::build {
 namespace {
 
 constexpr std::size_t kBoundariesPerStep = 32;
-/// A mesh with faults, each counting as one, that is so many hexahedra larger than the known one
-/// may still lead to a smaller one.
-constexpr int kWorthATry = 5;
 
 /// Whether a phase for the largest meshes is for boundaries like this one.
 bool is_for(TableSearch::Phase phase, const canon::Code& code) {
@@ -87,16 +84,16 @@ TableSearch::Found TableSearch::smaller(const canon::Code& code, const complex::
 /// The least of what comes from the mesh known and from cuts, if it is any progress. A boundary
 /// without a mesh gets one first, and more of the effort in later rounds.
 std::optional<TableSearch::Found> TableSearch::cut(const canon::Code& code) const {
-  constexpr int kExchangeable = 10;  // exchange may well take off so many
-  constexpr int kWideCircle = 10;    // ten times the time of a circle of 8
-  constexpr int kFewInteriors = 4;   // of more there are too many within wide circles
+  constexpr int kWorthATry = 10;    // exchange may well take off so many
+  constexpr int kWideCircle = 10;   // ten times the time of a circle of 8
+  constexpr int kFewInteriors = 4;  // of more there are too many within wide circles
   const int known = hexahedra(code);
   const int growths = known == kNone ? options_.growths : options_.cut_growths;
   flips::CutOptions limits;
   limits.max_quads = options_.balls.max_quads;
   if (known != kNone && options_.cut_interior <= kFewInteriors) limits.max_circle = kWideCircle;
   limits.max_interior = options_.cut_interior;
-  limits.below = known + kExchangeable;
+  limits.below = known + kWorthATry;
   limits.count = known == kNone ? 1 : options_.cuts_each;
   std::vector<Found> candidates;
   for (const auto& mesh : flips::best_cuts(flips::BeamBalls(balls_), code, limits))
@@ -181,18 +178,18 @@ void TableSearch::collar_step() {
 /// Meshes to begin annealing with: the known one, and others by collars with a symmetry or without.
 std::vector<complex::HexComplex> TableSearch::beginnings(const canon::Code& code,
                                                          int threads) const {
-  constexpr int kWorthAWalk = 40;  // annealing may well take off so many
+  constexpr int kWorthATry = 40;  // annealing may well take off so many
   std::vector<complex::HexComplex> result;
   const int known = hexahedra(code);
   if (known != kNone) result.push_back(unchecked_mesh(code));
   const std::size_t wanted = options_.anneal_starts;
   if (known != kNone && wanted == 1) return result;
-  flips::MeetingOptions plain = collars_for(known + kWorthAWalk, threads);
+  flips::MeetingOptions plain = collars_for(known + kWorthATry, threads);
   plain.collars.seed = seed_for(code);  // others in each round
   for (auto& filling : flips::varied_meetings(balls_, code, plain))
     result.push_back(std::move(filling.mesh));
   for (auto& filling : flips::varied_symmetric_meetings(
-           balls_, code, symmetric_collars_for(code, known + kWorthAWalk, threads)))
+           balls_, code, symmetric_collars_for(code, known + kWorthATry, threads)))
     result.push_back(std::move(filling.mesh));
   const auto on_boundary = static_cast<complex::VertexId>(code.quads + 2);
   result = complex::spread_over_dual_classes(std::move(result), on_boundary);
@@ -200,24 +197,24 @@ std::vector<complex::HexComplex> TableSearch::beginnings(const canon::Code& code
   return result;
 }
 
-/// Meshes of this boundary with parts of meshes of others.
-std::vector<flips::FaultyMesh> TableSearch::transplants(const canon::Code& code, int size,
+/// Meshes of this boundary with parts of meshes of others, of fewer hexahedra and faults than this.
+std::vector<flips::FaultyMesh> TableSearch::transplants(const canon::Code& code, int below,
                                                         int threads) const {
   constexpr std::size_t kTriesEach = 200;
-  const flips::MeshSource known = [&](const canon::Code& boundary, int below) {
-    return hexahedra(boundary) < below ? std::optional(unchecked_mesh(boundary)) : std::nullopt;
+  const flips::MeshSource known = [&](const canon::Code& boundary, int most) {
+    return hexahedra(boundary) < most ? std::optional(unchecked_mesh(boundary)) : std::nullopt;
   };
-  flips::TransplantOptions options{
-      .tries = kTriesEach * options_.anneal_transplant,
-      .wanted = {.below = size + kWorthATry, .count = options_.anneal_transplant},
-      .seed = seed_for(code),
-      .threads = threads};
+  flips::TransplantOptions options{.tries = kTriesEach * options_.anneal_transplant,
+                                   .wanted = {.below = below, .count = options_.anneal_transplant},
+                                   .seed = seed_for(code),
+                                   .threads = threads};
   return flips::transplants(balls_, known, code, options);
 }
 
 /// Meshes of this boundary with a few faults, not much larger than one with so many hexahedra.
 std::vector<flips::FaultyMesh> TableSearch::faulty_beginnings(
     const canon::Code& code, int size, int threads, const flips::SymmetricBalls* symmetric) const {
+  constexpr int kWorthATry = 5;  // hexahedra, faults at their price
   std::vector<flips::FaultyMesh> result;
   const auto add = [&](std::vector<flips::FaultyMesh> meshes) {
     for (auto& mesh : meshes) result.push_back(std::move(mesh));
@@ -244,7 +241,7 @@ std::vector<flips::FaultyMesh> TableSearch::faulty_beginnings(
     options.collars.threads = threads;
     add(flips::faulty_cuts(balls_, code, options));
   }
-  if (options_.anneal_transplant > 0) add(transplants(code, size, threads));
+  if (options_.anneal_transplant > 0) add(transplants(code, size + kWorthATry, threads));
   return result;
 }
 
