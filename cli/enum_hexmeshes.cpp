@@ -211,7 +211,8 @@ void search(const EnumHexmeshesOptions& options, const hexes::HexmeshProblem& pr
   result.frontier = frontier_of(options, problem, result.task);
   ProgressLine progress;
   constexpr std::uint64_t kProbes = 5000;  // less than a second
-  const double expected = progress.is_visible() ? problem.estimate(kProbes, 1, 1).nodes : 0;
+  const double expected = progress.is_watched() ? problem.estimate(kProbes, 1, 1).nodes : 0;
+  const std::string phase = progress.is_watched() ? "nodes, of an estimate" : "nodes";
   double saved = seconds();
   const auto save = [&] {
     if (!options.state.empty())
@@ -224,7 +225,7 @@ void search(const EnumHexmeshesOptions& options, const hexes::HexmeshProblem& pr
                    .max_nodes = options.max_nodes,
                    .stop = &stop_requested()},
                   [&] {
-                    progress.update("nodes, of an estimate", result.frontier.counts.nodes,
+                    progress.update(phase, result.frontier.counts.nodes,
                                     static_cast<std::size_t>(expected));
                     if (seconds() - saved >= options.save_every) save();
                     return !(options.first && !result.frontier.found.empty());

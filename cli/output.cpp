@@ -34,24 +34,21 @@ double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-ProgressLine::ProgressLine() : is_terminal_(::isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine()
+    : is_terminal_(::isatty(STDERR_FILENO) == 1),
+      progress_(is_terminal_ ? core::Progress::Reader::terminal : core::Progress::Reader::log,
+                seconds()) {}
 
 ProgressLine::~ProgressLine() {
   if (is_shown_) say_text("\r\033[K");
 }
 
 void ProgressLine::update(const std::string& phase, std::size_t done, std::size_t total) {
-  if (!is_terminal_) return;
-  const double now = seconds();
-  if (phase != phase_) {
-    phase_ = phase;
-    start_ = now;
-  } else if (now - last_ < 0.2) {
-    return;
-  }
-  last_ = now;
+  const auto words = progress_.update(phase, done, total, seconds());
+  if (!words) return;
+  if (!is_terminal_) return say(*words);
   is_shown_ = true;
-  say_text(fmt::format("\r\033[K{}: {} of {}, {:.0f} s", phase, done, total, now - start_));
+  say_text("\r\033[K" + *words);
   std::fflush(stderr);
 }
 

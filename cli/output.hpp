@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "enum/core/progress.hpp"
 #include "enum/core/words.hpp"
 
 namespace hexatlas::cli {
@@ -28,8 +29,8 @@ void say(std::string_view line);
 /// An error that names its file: one line `file:line: reason` on standard error, as compilers do.
 void say_fault(std::string_view line);
 
-/// A line on a terminal that overwrites itself; silent where standard error is no terminal.
-/// At most a few updates per second; the last line is removed at the end.
+/// How far the work has come (progress.hpp), on standard error: on a terminal in a line that
+/// overwrites itself and is removed at the end, otherwise now and then in a line of its own.
 class ProgressLine {
  public:
   ProgressLine();
@@ -37,15 +38,13 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
   void update(const std::string& phase, std::size_t done, std::size_t total);
-  /// Whether anybody can see it.
-  [[nodiscard]] bool is_visible() const noexcept { return is_terminal_; }
+  /// Whether somebody may be watching, so that an estimate is worth its cost.
+  [[nodiscard]] bool is_watched() const noexcept { return is_terminal_; }
 
  private:
   bool is_terminal_;
   bool is_shown_ = false;
-  double last_ = 0;  ///< seconds
-  double start_ = 0;
-  std::string phase_;
+  core::Progress progress_;
 };
 
 /// Seconds on a clock that never goes back.
