@@ -20,24 +20,21 @@ FrontStore::Limits limits_of(const BeamOptions& options) {
   return {options.fronts_per_class, options.max_fronts, options.seed, options.use_dominance};
 }
 
-/// Of the trapezohedron with kMaxStateQuads quads; no boundary, 3-connected as all are, has more
-/// (docs/theory/proofs/irregularity.md).
-constexpr int kMostIrregular =
-    2 * (kMaxStateQuads / 2 - 4) * (kMaxStateQuads / 2 - 4) + kMaxStateQuads;
+}  // namespace
 
-/// What the boundary adds to the scars of its fronts, and a constant.
-std::uint64_t price_of(const canon::Code& code, const BeamOptions& options) {
+std::uint64_t price_of(const canon::Code& code, const BeamOptions& options, int max_quads) {
   std::uint64_t price = std::uint64_t{options.scars_per_quad} * code.quads;
   if (options.scars_per_irregularity == 0 && options.scars_per_simple_zone == 0) return price;
+  // Of the trapezohedron with so many quads; no boundary, 3-connected as all are, has more
+  // (docs/theory/proofs/irregularity.md).
+  const int most_irregular = 2 * (max_quads / 2 - 4) * (max_quads / 2 - 4) + max_quads;
   const auto boundary = canon::decode(code).value();
   price += std::uint64_t{options.scars_per_irregularity} *
-           static_cast<std::uint64_t>(kMostIrregular - boundary.irregularity());
+           static_cast<std::uint64_t>(most_irregular - boundary.irregularity());
   price += std::uint64_t{options.scars_per_simple_zone} *
            static_cast<std::uint64_t>(boundary.simple_zones());
   return price;
 }
-
-}  // namespace
 
 /// The children of a few parents, and in which order each shard is to see its own.
 struct Beam::Chunk {
@@ -136,7 +133,8 @@ std::vector<Beam::Waiting> Beam::waiting(std::size_t shard) const {
       if (fronts[place].level == level_ && fronts[place].mark == FrontMark::waiting)
         result.push_back({0, store_.rank(fronts[place]), {FrontStore::number_of(shard, f), place}});
     if (result.size() == first) continue;
-    const std::uint64_t price = price_of(families[f].code, options_) * FrontStore::kScar;
+    const std::uint64_t price =
+        price_of(families[f].code, options_, kMaxStateQuads) * FrontStore::kScar;
     for (std::size_t i = first; i < result.size(); ++i) result[i].rank += price;
     std::sort(result.begin() + static_cast<std::ptrdiff_t>(first), result.end(),
               [](const Waiting& a, const Waiting& b) {

@@ -50,6 +50,11 @@ struct BeamOptions {
   bool use_dominance = true;           ///< off only to test the pruning
 };
 
+/// What a boundary with at most `max_quads` quads adds to the scars of its fronts by these options,
+/// and a constant. Requires that the code can be decoded.
+[[nodiscard]] std::uint64_t price_of(const canon::Code& code, const BeamOptions& options,
+                                     int max_quads);
+
 /// What a beam knows of one state.
 struct FrontRecord {
   FrontId id;

@@ -106,7 +106,7 @@ SymmetricBeam::SymmetricBeam(std::vector<SymmetricStart> starts, Growth growth,
 std::vector<std::uint32_t> SymmetricBeam::choose(std::span<const Promise> promises) {
   struct Waiting {
     std::uint64_t kind = 0;
-    std::uint64_t scars = 0;  ///< and the price of the quads
+    std::uint64_t scars = 0;  ///< and the price of the boundary
     std::uint64_t tie = 0;
     std::uint32_t index = 0;
     std::uint32_t turn = 0;
@@ -116,7 +116,7 @@ std::vector<std::uint32_t> SymmetricBeam::choose(std::span<const Promise> promis
   parallel::parallel_for(options_.threads, (nodes.size() + 1023) / 1024, [&](std::size_t chunk) {
     for (std::size_t i = 1024 * chunk; i < std::min(nodes.size(), 1024 * (chunk + 1)); ++i) {
       const SymmetricState& state = nodes[i].state;
-      const std::uint64_t price = options_.scars_per_quad * state.code.quads;
+      const std::uint64_t price = price_of(state.code, options_, kMaxSymmetricQuads);
       all[i] = {state.hash_of_class(), static_cast<std::uint64_t>(state.scars.size()) + price,
                 state.hash(options_.seed), static_cast<std::uint32_t>(i)};
     }

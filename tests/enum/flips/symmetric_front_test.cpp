@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -436,6 +437,45 @@ TEST(SymmetricBeam, ExpandsTheMostPromising) {
   for (const auto& node : beam.expanded().subspan(before)) found += promising.count(node.state);
   EXPECT_EQ(beam.expanded().size() - before, kWidth);
   EXPECT_EQ(found, kWidth / 2);
+}
+
+TEST(SymmetricBeam, QuadsIrregularityAndSimpleZonesCountAsSoManyScars) {
+  struct Prices {
+    unsigned quad, irregularity, simple_zone;
+  };
+  for (const Prices prices :
+       {Prices{3, 0, 0}, Prices{0, 5, 0}, Prices{0, 0, 40}, Prices{2, 3, 27}}) {
+    flips::BeamOptions options = beam_limits(1, 20, 2);
+    options.scars_per_quad = prices.quad;
+    options.scars_per_irregularity = prices.irregularity;
+    options.scars_per_simple_zone = prices.simple_zone;
+    flips::SymmetricBeam beam = spindle_beam(options);
+    const auto cost = [&](const SymmetricState& state) {
+      const auto boundary = canon::decode(state.code).value();
+      return state.scars.size() + static_cast<int>(prices.quad) * state.code.quads -
+             static_cast<int>(prices.irregularity) * support::irregularity_of(boundary) +
+             static_cast<int>(prices.simple_zone) * support::simple_zones_of(boundary);
+    };
+    std::size_t passed_over = 0;
+    for (int level = 0; level < 14; ++level) {
+      std::map<std::uint64_t, int> least;  // of each class
+      for (const auto& node : beam.nodes()) {
+        const auto [own, is_new] = least.try_emplace(node.state.hash_of_class(), cost(node.state));
+        if (!is_new) own->second = std::min(own->second, cost(node.state));
+      }
+      const std::size_t before = beam.expanded().size();
+      if (!beam.expand_level()) break;
+      int greatest = std::numeric_limits<int>::min();
+      for (const auto& node : beam.expanded().subspan(before)) {
+        greatest = std::max(greatest, cost(node.state));
+        EXPECT_EQ(cost(node.state), least[node.state.hash_of_class()]);
+        least.erase(node.state.hash_of_class());
+      }
+      passed_over += least.size();
+      for (const auto& [kind, own] : least) EXPECT_GE(own, greatest);
+    }
+    EXPECT_GT(passed_over, 10U) << prices.quad << ' ' << prices.irregularity;
+  }
 }
 
 TEST(SymmetricBeam, IsTheSameForAnyNumberOfThreads) {
