@@ -8,6 +8,8 @@
 
 #include "enum/complex/dual_class.hpp"
 #include "enum/core/checks.hpp"
+#include "enum/flips/mesh_involution.hpp"
+#include "enum/flips/symmetric_walk.hpp"
 #include "enum/flips/walk.hpp"
 #include "enum/parallel/parallel_for.hpp"
 
@@ -38,10 +40,11 @@ bool is_smaller(const HexComplex& mesh, const Mesh& other) {
 }
 
 /// A walk, and the least mesh without faults that it saw.
+template <class Walk>
 struct Walker {
-  Walker(const HexComplex& mesh, int faults, int quads, const Beam& balls, std::uint64_t seed)
-      : walk(mesh, quads, balls, seed, faults) {
-    if (faults == 0) best = mesh;
+  template <class Make>
+  explicit Walker(const Make& make) : walk(make()) {
+    if (walk.faults() == 0) best = walk.mesh();
   }
 
   void go_on(const Climate& climate, BallLayers& layers) {
@@ -56,6 +59,7 @@ struct Walker {
 };
 
 /// Whether two walks trade places, so that each mesh has its probability in each climate.
+template <class Walk>
 bool trade(const Walk& cold, const Climate& of_cold, const Walk& hot, const Climate& of_hot,
            Random& random) {
   const int more = size_of(hot.mesh()) - size_of(cold.mesh());
@@ -63,13 +67,18 @@ bool trade(const Walk& cold, const Climate& of_cold, const Walk& hot, const Clim
   return random.uniform() * of_hot.factor(more, faults) < of_cold.factor(more, faults);
 }
 
-/// The least mesh without faults that walks in all climates see, begun with the same mesh.
-/// `layers`: for each climate.
-Mesh tempered(const HexComplex& mesh, int faults, int quads, const Beam& balls, int rounds,
-              int threads, Random& random, std::vector<BallLayers>& layers) {
-  std::deque<Walker> walkers;
-  std::array<Walker*, kClimates.size()> at{};  // the walker in each climate
-  for (Walker*& own : at) own = &walkers.emplace_back(mesh, faults, quads, balls, random.number());
+/// The least mesh without faults that walks in all climates see. `walk_of(seed)`: one of them at
+/// its beginning; `layers`: for each climate.
+template <class WalkOf>
+Mesh tempered(WalkOf&& walk_of, int rounds, int threads, Random& random,
+              std::vector<BallLayers>& layers) {
+  using Own = Walker<decltype(walk_of(std::uint64_t{}))>;
+  std::deque<Own> walkers;
+  std::array<Own*, kClimates.size()> at{};  // the walker in each climate
+  for (Own*& own : at) {
+    const std::uint64_t seed = random.number();
+    own = &walkers.emplace_back([&] { return walk_of(seed); });
+  }
   for (int round = 0; round < rounds; ++round) {
     parallel::parallel_for(threads, at.size(),
                            [&](std::size_t i) { at[i]->go_on(kClimates[i], layers[i]); });
@@ -78,9 +87,19 @@ Mesh tempered(const HexComplex& mesh, int faults, int quads, const Beam& balls, 
         std::swap(at[i], at[i + 1]);
   }
   Mesh least;
-  for (Walker& walker : walkers)
+  for (Own& walker : walkers)
     if (walker.best && is_smaller(*walker.best, least)) least = std::move(walker.best);
   return least;
+}
+
+/// The involutions of a mesh's boundary, whose vertices are 0 .. quads+1.
+std::vector<Involution> involutions_of_boundary(const HexComplex& mesh) {
+  std::vector<complex::QuadVertices> quads;
+  for (const complex::BoundaryQuad& quad : complex::boundary_of(mesh)) {
+    complex::QuadVertices& own = quads.emplace_back();
+    for (std::size_t i = 0; i < own.size(); ++i) own[i] = static_cast<complex::Vertex>(quad[i]);
+  }
+  return involutions_of(complex::Quadrangulation::from_quads(quads).value());
 }
 
 /// The least mesh known of each dual class, relative to the first of all meshes.
@@ -123,12 +142,30 @@ HexComplex least_by_annealing(const Beginnings& begin, int quads, const Beam& ba
   std::vector<BallLayers> layers(kClimates.size(), BallLayers(balls));
   LeastOfClasses least(begin.strict.front(), quads);
   const auto anneal = [&](const HexComplex& mesh, int faults) {
-    if (Mesh found =
-            tempered(mesh, faults, quads, balls, options.rounds, options.threads, random, layers))
+    const auto walk_of = [&](std::uint64_t seed) { return Walk(mesh, quads, balls, seed, faults); };
+    if (Mesh found = tempered(walk_of, options.rounds, options.threads, random, layers))
       least.put(*std::move(found));
   };
-  for (const HexComplex& mesh : begin.strict) anneal(mesh, 0);
-  for (const FaultyMesh& own : begin.faulty) anneal(own.mesh, own.faults);
+  std::vector<Involution> involutions;
+  if (options.symmetric_rounds > 0) involutions = involutions_of_boundary(begin.strict.front());
+  const auto anneal_symmetric = [&](const HexComplex& mesh) {
+    for (const Involution& involution : involutions) {
+      if (!extended(involution, mesh, quads, SubBall::neighbours_of(mesh))) continue;
+      const auto walk_of = [&](std::uint64_t seed) {
+        return SymmetricWalk(mesh, quads, involution, balls, options.symmetric, seed);
+      };
+      if (Mesh found = tempered(walk_of, options.symmetric_rounds, options.threads, random, layers))
+        anneal(*found, 0);
+    }
+  };
+  for (const HexComplex& mesh : begin.strict) {
+    anneal(mesh, 0);
+    anneal_symmetric(mesh);
+  }
+  for (const FaultyMesh& own : begin.faulty) {
+    anneal(own.mesh, own.faults);
+    anneal_symmetric(own.mesh);
+  }
   for (int i = 0; i < options.leaps; ++i) {
     Walk walk(least.some(random), quads, balls, random.number());
     const auto kind = random.below(2) == 0 ? Walk::Leap::any_other : Walk::Leap::other_parity;

@@ -9,7 +9,9 @@
 /// this mesh. So walks are short and many. They begin with meshes of many kinds, those with a few
 /// faults among them, and then with *leaps*: a large ball of the mesh is exchanged for another one,
 /// half of the time for one with the other parity. Leaps begin with the least meshes known of
-/// classes drawn at random, other than those that are much larger.
+/// classes drawn at random, other than those that are much larger. Beginnings that have an
+/// involution of the boundary are walked from in the same way by steps that keep it
+/// (symmetric_walk.hpp), and the least mesh so found by others then.
 ///
 /// Sources. Annealing: Kirkpatrick, Gelatt, Vecchi (Science 220, 1983); walks that trade places:
 /// Swendsen, Wang (Phys. Rev. Lett. 57, 1986); large steps, each followed by a search: Martin,
@@ -20,6 +22,7 @@
 
 #include "enum/complex/hex_complex.hpp"
 #include "enum/flips/beam.hpp"
+#include "enum/flips/symmetric_balls.hpp"
 #include "enum/flips/walk.hpp"
 
 namespace hexatlas::flips {
@@ -29,7 +32,9 @@ struct AnnealingOptions {
   int rounds = 8;
   int leaps = 120;  ///< to other meshes, half of them to other dual classes
   std::uint64_t seed = 1;
-  int threads = 1;  ///< does not change the result
+  int threads = 1;                            ///< does not change the result
+  int symmetric_rounds = 0;                   ///< with each involution of a beginning
+  const SymmetricBalls* symmetric = nullptr;  ///< for invariant exchanges, if there are any
 };
 
 /// What annealing begins with: right-handed meshes of one boundary, whose vertices are 0 ..

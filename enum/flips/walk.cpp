@@ -1,82 +1,17 @@
 #include "enum/flips/walk.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "enum/flips/exchange.hpp"
+#include "enum/flips/draw.hpp"
 
 namespace hexatlas::flips {
 namespace {
 
 using complex::HexComplex;
-using core::Random;
 
-constexpr std::size_t kSmallestBall = 2;  ///< hexahedra
-constexpr std::size_t kLargestBall = 22;  ///< hardly a larger one is exchanged
-constexpr int kClimb = 10;                ///< hexahedra that one exchange may add
-constexpr std::size_t kSameState = 16;    ///< of so many such exchanges one is made
 constexpr std::size_t kLayersKept = 10'000;
-
-/// An exchange, and what it does to the number of faults.
-struct Draw {
-  Fit fit;
-  int faults = 0;
-};
-
-/// One of the balls that fit in place of the sub-ball, in all positions, drawn by their weights;
-/// nullopt for the sub-ball itself, which has weight 1. Mostly nullopt, too, for a ball with as
-/// many hexahedra and the same scars: nearly always it is the sub-ball again, and most draws are
-/// such. In a leap, only balls of its kind are drawn. `sums` is made use of.
-std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Climate& climate,
-                         std::optional<Walk::Leap> leap, Random& random,
-                         std::vector<double>& sums) {
-  const Front& front = ball.front();
-  canon::CanonicalFlags flags;
-  canon::canonical_flags(front.boundary, flags);
-  const auto number = balls.store().find(flags.code);
-  const int size = static_cast<int>(ball.cells().size());
-  if (!number || balls.store().family(*number).level_floor + 1 > size + kClimb) return std::nullopt;
-  const auto positions = positions_of(front.boundary, flags, ball.related_outside());
-  const Relation quads = relation_of_quads(front.boundary);
-  const auto own_scars = [&](const Position& position) {
-    return scars_of(front.related, quads, front.boundary.vertices(), position.label);
-  };
-  const int own = own_scars(positions[0]).size_in_common(positions[0].scars);
-  const auto& known = balls.store().family(*number).fronts;
-  const auto is_same = [&](const StoredFront& other, const Position& position) {
-    return other.level + 1 == size && other.scars == own_scars(position);
-  };
-  const auto is_allowed = [&](const StoredFront& other, const Position& position) {
-    if (other.level + 1 > size + kClimb) return false;
-    if (!leap) return true;
-    return *leap == Walk::Leap::any_other ? !is_same(other, position)
-                                          : (other.level + 1 - size) % 2 != 0;
-  };
-  const double to_stay = leap ? 0 : 1;
-  double total = to_stay;
-  sums.clear();
-  for (const Position& position : positions)
-    for (const StoredFront& other : known) {
-      if (is_allowed(other, position))
-        total += climate.factor(other.level + 1 - size,
-                                other.scars.size_in_common(position.scars) - own);
-      sums.push_back(total);
-    }
-  if (total == 0) return std::nullopt;
-  const double at = std::min(random.uniform() * total, std::nextafter(total, 0.0));
-  if (at < to_stay) return std::nullopt;
-  const auto drawn =
-      static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end(), at) - sums.begin());
-  const Position& position = positions[drawn / known.size()];
-  const std::size_t place = drawn % known.size();
-  const StoredFront& ball_drawn = known[place];
-  if (is_same(ball_drawn, position) && random.below(kSameState) != 0) return std::nullopt;
-  return Draw{{{*number, static_cast<std::uint32_t>(place)}, position.label, position.is_mirrored},
-              ball_drawn.scars.size_in_common(position.scars) - own};
-}
 
 }  // namespace
 
@@ -119,7 +54,8 @@ bool Walk::exchange(const Climate& climate, BallLayers& layers, std::optional<Le
 
 bool Walk::step(const Climate& climate, BallLayers& layers) {
   ball_.restart(static_cast<std::uint32_t>(random_.below(mesh_.hexahedra.size())));
-  const std::size_t size = kSmallestBall + random_.below(kLargestBall - kSmallestBall + 1);
+  const std::size_t size =
+      kSmallestExchange + random_.below(kLargestExchange - kSmallestExchange + 1);
   const int weight = static_cast<int>(random_.below(5));
   return grow_to(size, weight) && exchange(climate, layers, std::nullopt);
 }

@@ -22,12 +22,14 @@ constexpr int kShellings = 10;  ///< tries to find a shelling
 constexpr std::array<std::string_view, flips::kFrontOrigins> kOriginNames{"sweep", "exchange",
                                                                           "collar", "cut", "table"};
 
-/// A shared seed and number of threads.
+/// A shared seed and number of threads, and balls that prefer the same, symmetric or not.
 SearchOptions adjusted(SearchOptions options) {
   for (flips::BeamOptions* own : {&options.symmetric, &options.symmetric_balls, &options.collars}) {
     own->seed = options.balls.seed;
     own->threads = options.balls.threads;
   }
+  options.symmetric_balls.scars_per_irregularity = options.balls.scars_per_irregularity;
+  options.symmetric_balls.scars_per_simple_zone = options.balls.scars_per_simple_zone;
   return options;
 }
 

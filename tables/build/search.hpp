@@ -60,7 +60,8 @@ struct SearchOptions {
       .max_quads = 34, .fronts_per_class = 20, .fronts_per_level = 1'000, .scars_per_quad = 3};
   int max_symmetric = 40;        ///< hexahedra
   std::size_t symmetrized = 50;  ///< boundaries per round
-  /// Symmetric balls that fill the cavities of such collars, beside the balls known.
+  /// Symmetric balls that fill the cavities of such collars, beside the balls known. What they
+  /// prefer of irregularity and of simple zones is what `balls` do.
   flips::BeamOptions symmetric_balls{
       .max_quads = 36, .fronts_per_class = 200, .fronts_per_level = 500};
   int max_symmetric_ball = 24;  ///< hexahedra; 0: there are none
@@ -79,7 +80,9 @@ struct SearchOptions {
   std::size_t anneal_cut = 100;         ///< others with faults (enum/flips/faulty_cut.hpp)
   std::size_t anneal_transplant = 100;  ///< others, with faults or not (enum/flips/transplant.hpp)
   int anneal_rounds = 8;                ///< of annealing, per beginning and leap
-  int anneal_leaps = 120;               ///< to other meshes (enum/flips/annealing.hpp)
+  /// Of annealing that keeps an involution, per beginning and involution (symmetric_walk.hpp).
+  int anneal_symmetric = 8;
+  int anneal_leaps = 120;  ///< to other meshes (enum/flips/annealing.hpp)
 };
 
 /// How the mesh of a boundary was found, as a word of the census; and the other way round, for

@@ -79,6 +79,11 @@ std::string TableSearch::settings() const {
   // Later than the others: a search that does without is as it was.
   if (options_.annealed != 0 && options_.anneal_transplant != 0)
     text += " transplants " + std::to_string(options_.anneal_transplant);
+  if (options_.annealed != 0 && options_.anneal_symmetric != 0)
+    text += " symmetric annealing " + std::to_string(options_.anneal_symmetric);
+  if (options_.max_symmetric_ball != 0 && (options_.symmetric_balls.scars_per_irregularity != 0 ||
+                                           options_.symmetric_balls.scars_per_simple_zone != 0))
+    text += " symmetric balls that prefer what others do";
   if (options_.guided != 0) text += " guided " + std::to_string(options_.guided);
   return digest_of(text);
 }

@@ -258,7 +258,9 @@ void TableSearch::anneal_step() {
                                           {.rounds = options_.anneal_rounds,
                                            .leaps = options_.anneal_leaps,
                                            .seed = seed_for(code),
-                                           .threads = threads});
+                                           .threads = threads,
+                                           .symmetric_rounds = options_.anneal_symmetric,
+                                           .symmetric = symmetric});
     if (static_cast<int>(mesh.hexahedra.size()) >= hexahedra(code)) return std::nullopt;
     return in_order(code, {std::move(mesh), flips::FrontOrigin::exchanged});
   });

@@ -1,0 +1,206 @@
+#include "enum/flips/symmetric_walk.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "enum/cells/cube.hpp"
+#include "enum/core/checks.hpp"
+#include "enum/flips/draw.hpp"
+#include "enum/flips/faults.hpp"
+
+namespace hexatlas::flips {
+namespace {
+
+using complex::HexComplex;
+using complex::Vertex;
+using complex::VertexId;
+
+constexpr std::uint64_t kInvariantOneIn = 5;  ///< steps, if there are symmetric balls
+constexpr std::uint64_t kSamePrice = 8;       ///< of so many exchanges that change neither number
+
+MeshInvolution extended_to(const HexComplex& mesh, int quads, const Involution& of_boundary,
+                           const SubBall::Neighbours& neighbours) {
+  auto result = extended(of_boundary, mesh, quads, neighbours);
+  core::expects(result.has_value(), "the mesh has the involution of its boundary");
+  return *std::move(result);
+}
+
+}  // namespace
+
+SymmetricWalk::SymmetricWalk(HexComplex mesh, int quads, const Involution& of_boundary,
+                             const Beam& balls, const SymmetricBalls* symmetric, std::uint64_t seed)
+    : mesh_(std::move(mesh)),
+      quads_(quads),
+      of_boundary_(of_boundary),
+      balls_(balls),
+      symmetric_(symmetric),
+      random_(seed),
+      neighbours_(SubBall::neighbours_of(mesh_)),
+      involution_(extended_to(mesh_, quads, of_boundary, neighbours_)),
+      ball_(mesh_, neighbours_, 0, widest_on_the_way(balls)),
+      faults_(faults_of(mesh_, neighbours_)) {}
+
+bool SymmetricWalk::step(const Climate& climate, BallLayers& layers) {
+  if (symmetric_ != nullptr && random_.below(kInvariantOneIn) == 0)
+    return invariant_exchange(climate);
+  return double_exchange(climate, layers);
+}
+
+/// Adds hexahedra that share facets with the ball, mostly many. Returns whether it came to that
+/// size. `take(cell)`: false if the ball is of no use any more, nullopt if another one may do.
+template <class MayTake, class Take>
+bool SymmetricWalk::grow_to(std::size_t size, MayTake&& may_take, Take&& take) {
+  const std::uint64_t weight = random_.below(5);
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> next;  // facets shared, hexahedron
+  while (ball_.cells().size() < size) {
+    next.clear();
+    std::vector<std::uint32_t> touching;
+    for (const std::uint32_t cell : ball_.cells())
+      for (const std::uint32_t other : neighbours_[cell])
+        if (other != SubBall::kOutside && !ball_.contains(other) && may_take(other))
+          touching.push_back(other);
+    std::sort(touching.begin(), touching.end());
+    for (auto at = touching.begin(); at != touching.end();) {
+      const auto end = std::upper_bound(at, touching.end(), *at);
+      next.emplace_back(weight * static_cast<std::uint64_t>(end - at) + random_.below(4), *at);
+      at = end;
+    }
+    std::sort(next.rbegin(), next.rend());
+    std::optional<bool> taken;
+    for (auto at = next.begin(); at != next.end() && !taken; ++at) taken = take(at->second);
+    if (!taken.value_or(false)) return false;
+  }
+  return true;
+}
+
+bool SymmetricWalk::double_exchange(const Climate& climate, BallLayers& layers) {
+  const auto& image = involution_.cell;
+  const auto first = static_cast<std::uint32_t>(random_.below(mesh_.hexahedra.size()));
+  if (is_own_image(first)) return false;
+  ball_.restart(first);
+  const std::size_t size =
+      kSmallestExchange + random_.below(kLargestExchange - kSmallestExchange + 1);
+  const auto is_apart = [&](std::uint32_t cell) {
+    return !is_own_image(cell) && !ball_.contains(image[cell]);
+  };
+  const auto take = [&](std::uint32_t cell) {
+    return ball_.grow(cell) ? std::optional(true) : std::nullopt;
+  };
+  if (!grow_to(size, is_apart, take) || ball_.quads() > balls_.options().max_quads) return false;
+  const auto drawn = draw(ball_, balls_, climate, std::nullopt, random_, sums_);
+  if (!drawn) return false;
+  return accept(doubly_exchanged(layers.of(drawn->fit.ball), drawn->fit),
+                faults_ + 2 * drawn->faults, climate);
+}
+
+/// The mesh with the ball and its image exchanged; vertices not numbered without gaps yet.
+HexComplex SymmetricWalk::doubly_exchanged(const Layers& layers, const Fit& fit) const {
+  const HexComplex once = exchanged(mesh_, ball_, layers, fit);
+  const VertexId own_vertices = mesh_.vertices;
+  const VertexId inside = once.vertices - own_vertices;
+  HexComplex result{once.vertices + inside, {}};
+  std::size_t at = 0;  // in `once`, which has the hexahedra outside of the ball in their order
+  for (std::uint32_t cell = 0; cell < mesh_.hexahedra.size(); ++cell) {
+    if (ball_.contains(cell)) continue;
+    if (!ball_.contains(involution_.cell[cell])) result.hexahedra.push_back(once.hexahedra[at]);
+    ++at;
+  }
+  for (; at < once.hexahedra.size(); ++at) {
+    complex::Hexahedron cell = once.hexahedra[at];
+    result.hexahedra.push_back(cell);
+    for (VertexId& v : cell) v = v < own_vertices ? involution_.vertex[v] : v + inside;
+    if (involution_.is_mirrored) cells::exchange_axes(cell);
+    result.hexahedra.push_back(cell);
+  }
+  return result;
+}
+
+/// The scars that the ball has in common with what is outside.
+int SymmetricWalk::own_common_scars(const Relation& outside) const {
+  const Front& front = ball_.front();
+  const Relation quads = relation_of_quads(front.boundary);
+  int twice = 0;
+  for (std::size_t v = 0; v < static_cast<std::size_t>(front.boundary.vertices()); ++v)
+    twice +=
+        std::popcount(front.related[v] & outside[v] & ~quads[v] & ~bit(static_cast<Vertex>(v)));
+  return twice / 2;
+}
+
+bool SymmetricWalk::invariant_exchange(const Climate& climate) {
+  const auto& image = involution_.cell;
+  const auto first = static_cast<std::uint32_t>(random_.below(mesh_.hexahedra.size()));
+  ball_.restart(first);
+  if (!is_own_image(first) && !ball_.grow(image[first])) return false;
+  const std::size_t most =
+      kSmallestExchange + random_.below(kLargestExchange - kSmallestExchange + 1);
+  const auto any = [](std::uint32_t) { return true; };
+  const auto take_orbit = [&](std::uint32_t cell) -> std::optional<bool> {
+    if (!ball_.grow(cell)) return std::nullopt;
+    return is_own_image(cell) || ball_.grow(image[cell]);
+  };
+  if (!grow_to(most, any, take_orbit) || ball_.quads() < 8) return false;
+
+  const int size = static_cast<int>(ball_.cells().size());
+  const Relation outside = ball_.related_outside();
+  SymmetricFront cavity{{ball_.front().boundary, outside}, {}};
+  const auto vertices = static_cast<std::size_t>(cavity.front.boundary.vertices());
+  const Relation quads = relation_of_quads(cavity.front.boundary);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    cavity.front.related[v] |= quads[v];
+    cavity.image[v] = ball_.boundary_vertex(involution_.vertex[ball_.rim(static_cast<Vertex>(v))]);
+  }
+  const CanonicalSymmetricState canonical = canonical_state(cavity);
+  SymmetricBeam::Node node;
+  node.state = canonical.state;
+  struct Way {
+    SymmetricPairing pairing;
+    int hexahedra, faults;  ///< more than now
+  };
+  std::vector<Way> ways;
+  const int own = own_common_scars(outside);
+  double total = 1;
+  sums_.clear();
+  symmetric_->for_each_pairing(
+      node, {.price = 0, .below = size + kMostClimb + 1},
+      [&](const SymmetricPairing& pairing, int hexahedra, int faults) {
+        ways.push_back({pairing, hexahedra - size, faults - own});
+        total += std::sqrt(climate.factor(ways.back().hexahedra, ways.back().faults));
+        sums_.push_back(total);
+      });
+  const double at = std::min(random_.uniform() * total, std::nextafter(total, 0.0));
+  if (at < 1) return false;
+  const Way& way = ways[static_cast<std::size_t>(std::upper_bound(sums_.begin(), sums_.end(), at) -
+                                                 sums_.begin())];
+  if (way.hexahedra == 0 && way.faults == 0 && random_.below(kSamePrice) != 0) return false;
+  const SymmetricFit fit = symmetric_->fit_of(node, way.pairing);
+  std::vector<VertexId> canonical_rim(vertices), rim(vertices);
+  for (std::size_t v = 0; v < vertices; ++v)
+    canonical_rim[canonical.label[v]] = ball_.rim(static_cast<Vertex>(v));
+  for (std::size_t v = 0; v < vertices; ++v) rim[v] = canonical_rim[fit.turn[v]];
+  return accept(exchanged(mesh_, ball_.cells(), symmetric_->layers_of(fit), rim,
+                          canonical.is_mirrored != fit.is_mirrored),
+                faults_ + way.faults, climate);
+}
+
+/// A ball and its image may have faults with each other that the draw did not see: these are paid
+/// for here.
+bool SymmetricWalk::accept(HexComplex made, int expected_faults, const Climate& climate) {
+  made = complex::compacted(std::move(made), quads_ + 2);
+  auto neighbours = SubBall::neighbours_if_complex(made, quads_);
+  if (!neighbours) return false;
+  const int faults = faults_of(made, *neighbours);
+  if (faults > expected_faults &&
+      random_.uniform() >= std::sqrt(climate.factor(0, faults - expected_faults)))
+    return false;
+  auto involution = extended(of_boundary_, made, quads_, *neighbours);
+  core::expects(involution.has_value(), "a symmetric exchange keeps the involution");
+  mesh_ = std::move(made);
+  neighbours_ = *std::move(neighbours);
+  involution_ = *std::move(involution);
+  faults_ = faults;
+  return true;
+}
+
+}  // namespace hexatlas::flips
