@@ -6,11 +6,6 @@
 #include "enum/parallel/parallel_for.hpp"
 
 namespace hexatlas::flips {
-namespace {
-
-constexpr std::size_t kPerChunk = 512;  // cavities of one task
-
-}  // namespace
 
 std::vector<Automorphism> automorphisms_of(const canon::Code& code) {
   const auto boundary = canon::decode(code).value();
@@ -24,11 +19,12 @@ std::vector<Automorphism> automorphisms_of(const canon::Code& code) {
 
 std::optional<Meeting> Matcher::match(std::span<const Cavity> cavities) {
   for (const Cavity& cavity : cavities) add_class(cavity);
-  std::vector<std::optional<Meeting>> found((cavities.size() + kPerChunk - 1) / kPerChunk);
+  std::vector<std::optional<Meeting>> found((cavities.size() + kCavitiesPerTask - 1) /
+                                            kCavitiesPerTask);
   parallel::parallel_for(threads_, found.size(), [&](std::size_t c) {
     int below = below_;
-    const std::size_t end = std::min(cavities.size(), kPerChunk * (c + 1));
-    for (std::size_t i = kPerChunk * c; i < end; ++i)
+    const std::size_t end = std::min(cavities.size(), kCavitiesPerTask * (c + 1));
+    for (std::size_t i = kCavitiesPerTask * c; i < end; ++i)
       if (const auto meeting = match_one(cavities[i], below)) {
         found[c] = meeting;
         found[c]->cavity = i;
@@ -76,12 +72,12 @@ std::optional<Meeting> Matcher::match_one(const Cavity& cavity, int below) const
 
 std::vector<Promise> Matcher::promises(std::span<const Cavity> cavities, int price) const {
   std::vector<Promise> result(cavities.size());
-  parallel::parallel_for(threads_, (cavities.size() + kPerChunk - 1) / kPerChunk,
-                         [&](std::size_t c) {
-                           const std::size_t end = std::min(cavities.size(), kPerChunk * (c + 1));
-                           for (std::size_t i = kPerChunk * c; i < end; ++i)
-                             result[i] = promise_of(cavities[i], price);
-                         });
+  parallel::parallel_for(
+      threads_, (cavities.size() + kCavitiesPerTask - 1) / kCavitiesPerTask, [&](std::size_t c) {
+        const std::size_t end = std::min(cavities.size(), kCavitiesPerTask * (c + 1));
+        for (std::size_t i = kCavitiesPerTask * c; i < end; ++i)
+          result[i] = promise_of(cavities[i], price);
+      });
   return result;
 }
 

@@ -38,6 +38,9 @@ struct Automorphism {
 /// All of them. Requires a code that can be decoded.
 [[nodiscard]] std::vector<Automorphism> automorphisms_of(const canon::Code& code);
 
+/// Cavities that one task looks up, one after the other, where several threads do.
+inline constexpr std::size_t kCavitiesPerTask = 512;
+
 class Matcher {
  public:
   /// `balls` must outlive this. Only meetings with fewer than `below` hexahedra are of interest.

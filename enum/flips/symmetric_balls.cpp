@@ -48,12 +48,12 @@ std::size_t SymmetricBalls::size() const noexcept {
 
 std::optional<SymmetricFit> SymmetricBalls::least_fit(std::span<const SymmetricBeam::Node> cavities,
                                                       int below, int threads) const {
-  constexpr std::size_t kPerChunk = 512;
   const SymmetricFit none{.hexahedra = below};
-  std::vector<SymmetricFit> found((cavities.size() + kPerChunk - 1) / kPerChunk, none);
+  std::vector<SymmetricFit> found((cavities.size() + kCavitiesPerTask - 1) / kCavitiesPerTask,
+                                  none);
   parallel::parallel_for(threads, found.size(), [&](std::size_t c) {
-    const std::size_t end = std::min(cavities.size(), kPerChunk * (c + 1));
-    for (std::size_t i = kPerChunk * c; i < end; ++i) {
+    const std::size_t end = std::min(cavities.size(), kCavitiesPerTask * (c + 1));
+    for (std::size_t i = kCavitiesPerTask * c; i < end; ++i) {
       const int before = found[c].hexahedra;
       fit_one(cavities[i], found[c]);
       if (found[c].hexahedra < before) found[c].cavity = i;
