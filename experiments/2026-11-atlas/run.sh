@@ -8,148 +8,149 @@ commit=$(git -C ../.. describe --always --dirty --abbrev=12) # before the result
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 if [[ "${1:-}" == --search ]]; then
+  build() { "$program" table build --anneal-symmetric 0 "$@"; } # all this was before annealing that keeps an involution
   plain=(--symmetric 0 --anneal-faulty 0 --anneal-cut 0 --anneal-transplant 0) # the runs before symmetric collars, and before beginnings with faults
-  "$program" table build -o hexatlas.hxt --state hexatlas.state "${plain[@]}"
-  "$program" table build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas.state \
+  build -o hexatlas.hxt --state hexatlas.state "${plain[@]}"
+  build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas.state \
     --rounds 1 --max-hexahedra 1 --cut 2000 --cuts-each 4 --collared 0 "${plain[@]}"
-  "$program" table build -o hexatlas-again.hxt --start-from hexatlas-22.hxt --rounds 1 --width 60000 \
+  build -o hexatlas-again.hxt --start-from hexatlas-22.hxt --rounds 1 --width 60000 \
     --per-class 30 --cut 60 --cuts-each 12 --cut-growths 2000 --cut-interior 7 --cut-uphill 6 --collared 0 \
     "${plain[@]}"
-  "$program" table build -o hexatlas-wide.hxt --state wide.state --start-from hexatlas-again.hxt \
+  build -o hexatlas-wide.hxt --state wide.state --start-from hexatlas-again.hxt \
     --width 900000 --per-class 200 --max-hexahedra 50 --rounds 1 --cut 0 --collared 0 --growths 1 \
     "${plain[@]}"
-  "$program" table build -o hexatlas-wider.hxt --start-from wide.state --width 900000 --per-class 200 \
+  build -o hexatlas-wider.hxt --start-from wide.state --width 900000 --per-class 200 \
     --max-hexahedra 50 --rounds 1 --cut 60 --cuts-each 6 --cut-growths 600 --cut-interior 6 --cut-uphill 6 \
     "${plain[@]}" --growths 8 --collared 1 --collar-hexahedra 32 --collar-widest 30 --collar-width 100000 --collar-narrow 3
   wide=(--width 900000 --per-class 200 --seed 20261124 --rounds 1 --cut 0 --collar-widest 30 --collar-narrow 3)
-  "$program" table build -o hexatlas-third.hxt --state third.state --start-from hexatlas-wider.hxt "${wide[@]}" \
+  build -o hexatlas-third.hxt --state third.state --start-from hexatlas-wider.hxt "${wide[@]}" \
     "${plain[@]}" --max-hexahedra 50 --growths 4 --collared 9 --collar-hexahedra 32 --collar-width 100000
-  "$program" table build -o hexatlas-deep.hxt --state deep.state --start-from third.state "${wide[@]}" \
+  build -o hexatlas-deep.hxt --state deep.state --start-from third.state "${wide[@]}" \
     "${plain[@]}" --max-hexahedra 1 --growths 0 --collared 8 --collar-hexahedra 36 --collar-width 300000
-  "$program" table build -o hexatlas-last.hxt --start-from deep.state hexatlas-third.hxt "${wide[@]}" \
+  build -o hexatlas-last.hxt --start-from deep.state hexatlas-third.hxt "${wide[@]}" \
     "${plain[@]}" --max-hexahedra 1 --growths 12 --collared 0
-  "$program" table build -o hexatlas-symmetric.hxt --state symmetric.state --start-from deep.state hexatlas-last.hxt \
+  build -o hexatlas-symmetric.hxt --state symmetric.state --start-from deep.state hexatlas-last.hxt \
     "${wide[@]}" --max-hexahedra 1 --growths 0 --collared 0 --symmetric 330 --symmetric-hexahedra 44 \
     --symmetric-width 3000 --symmetric-widest 36
-  "$program" table build -o hexatlas-final.hxt --state final.state --start-from symmetric.state hexatlas-symmetric.hxt "${wide[@]}" \
+  build -o hexatlas-final.hxt --state final.state --start-from symmetric.state hexatlas-symmetric.hxt "${wide[@]}" \
     --max-hexahedra 1 --growths 12 --collared 0 --symmetric 1 --symmetric-hexahedra 52 --symmetric-width 200000 \
     --symmetric-widest 40
   more=(--width 900000 --per-class 200 --seed 20261124 --rounds 1 --collar-widest 26 --collar-hexahedra 14 "${plain[@]}")
-  "$program" table build -o hexatlas-swept.hxt --state swept.state --start-from final.state hexatlas-final.hxt \
+  build -o hexatlas-swept.hxt --state swept.state --start-from final.state hexatlas-final.hxt \
     "${more[@]}" --cut 0 --max-hexahedra 54 --growths 4 --collared 0
-  "$program" table build -o hexatlas-collared.hxt --state collared.state --start-from swept.state hexatlas-swept.hxt \
+  build -o hexatlas-collared.hxt --state collared.state --start-from swept.state hexatlas-swept.hxt \
     "${more[@]}" --cut 0 --max-hexahedra 1 --growths 0 --collared 1574 --collar-width 3000
-  "$program" table build -o hexatlas-exchanged.hxt --start-from collared.state hexatlas-collared.hxt \
+  build -o hexatlas-exchanged.hxt --start-from collared.state hexatlas-collared.hxt \
     "${more[@]}" --cut 12 --cuts-each 8 --cut-growths 20000 --cut-interior 6 --cut-uphill 8 --max-hexahedra 1 \
     --growths 0 --collared 0
-  "$program" table build -o hexatlas-twice.hxt --state twice.state --start-from collared.state hexatlas-collared.hxt \
+  build -o hexatlas-twice.hxt --state twice.state --start-from collared.state hexatlas-collared.hxt \
     "${more[@]}" --cut 0 --max-hexahedra 52 --growths 4 --collared 1500 --collar-width 5000
-  "$program" table build -o hexatlas-long.hxt --state long.state --start-from twice.state hexatlas-exchanged.hxt \
+  build -o hexatlas-long.hxt --state long.state --start-from twice.state hexatlas-exchanged.hxt \
     "${more[@]}" --cut 1030 --cuts-each 1 --cut-growths 3000 --cut-interior 2 --cut-uphill 6 --max-hexahedra 1 \
     --growths 0 --collared 0
-  "$program" table build -o hexatlas-end.hxt --state end.state --start-from long.state hexatlas-long.hxt \
+  build -o hexatlas-end.hxt --state end.state --start-from long.state hexatlas-long.hxt \
     "${more[@]}" --cut 3 --cuts-each 8 --cut-growths 20000 --cut-interior 6 --cut-uphill 8 --max-hexahedra 54 \
     --growths 4 --collared 0
   # A sweep whose targets have 22 quads, too, then annealing. Its rounds were of eight walks once; of two, as today, they are four
   # times as many.
   none=(--cut 0 --symmetric 0 --collared 0 --growths 0 --rounds 1 --anneal-faulty 0 --anneal-cut 0 --anneal-transplant 0)
   again=(--width 900000 --per-class 200 --seed 20261124 "${none[@]}")
-  "$program" table build -o swept-22.hxt --state swept-22.state --max-quads 22 --start-from hexatlas-end.hxt "${again[@]}" \
+  build -o swept-22.hxt --state swept-22.state --max-quads 22 --start-from hexatlas-end.hxt "${again[@]}" \
     --max-hexahedra 58
-  "$program" table build -o annealed.hxt --state annealed.state --start-from swept-22.state "${again[@]}" --max-hexahedra 1 \
+  build -o annealed.hxt --state annealed.state --start-from swept-22.state "${again[@]}" --max-hexahedra 1 \
     --annealed 40 --anneal-rounds 240
-  "$program" table build -o annealed-long.hxt --start-from annealed.state "${again[@]}" --max-hexahedra 1 --annealed 3 --anneal-rounds 18000
-  "$program" table build -o hexatlas-annealed.hxt --start-from annealed-long.hxt hexatlas-end.hxt --width 1 --per-class 1 "${none[@]}" \
+  build -o annealed-long.hxt --start-from annealed.state "${again[@]}" --max-hexahedra 1 --annealed 3 --anneal-rounds 18000
+  build -o hexatlas-annealed.hxt --start-from annealed-long.hxt hexatlas-end.hxt --width 1 --per-class 1 "${none[@]}" \
     --max-hexahedra 1
   # Another sweep; then annealing that begins with many meshes: for the two largest, then with more for the largest.
   fresh=(--width 900000 --per-class 200 --seed 20261125 --growths 0 --cut 0 --symmetric 0 --collared 0 --rounds 1)
   thick=(--collar-hexahedra 30 --collar-widest 30 --collar-narrow 3 --symmetric-hexahedra 58 --anneal-rounds 240 --anneal-faulty 0 --anneal-cut 0 --anneal-transplant 0)
-  "$program" table build -o fresh.hxt --state fresh.state --start-from hexatlas-annealed.hxt "${fresh[@]}" --max-hexahedra 58
-  "$program" table build -o two.hxt --state two.state --start-from fresh.state fresh.hxt "${fresh[@]}" "${thick[@]}" \
+  build -o fresh.hxt --state fresh.state --start-from hexatlas-annealed.hxt "${fresh[@]}" --max-hexahedra 58
+  build -o two.hxt --state two.state --start-from fresh.state fresh.hxt "${fresh[@]}" "${thick[@]}" \
     --max-hexahedra 1 --annealed 2 --anneal-starts 60 --symmetric-width 6000 --symmetric-widest 40 --collar-width 3000
-  "$program" table build -o one.hxt --start-from two.state two.hxt "${fresh[@]}" "${thick[@]}" --max-hexahedra 1 \
+  build -o one.hxt --start-from two.state two.hxt "${fresh[@]}" "${thick[@]}" --max-hexahedra 1 \
     --annealed 1 --anneal-starts 160 --symmetric-width 4000 --symmetric-widest 38 --collar-width 500
-  "$program" table build -o hexatlas-begun.hxt --start-from hexatlas-annealed.hxt one.hxt --width 1 --per-class 1 "${none[@]}" \
+  build -o hexatlas-begun.hxt --start-from hexatlas-annealed.hxt one.hxt --width 1 --per-class 1 "${none[@]}" \
     --max-hexahedra 1
   # 22 quads anew: the trapezohedron; flips within 22 quads; then collars and cuts for what is missing.
   known=(--width 900000 --per-class 200 --seed 20261124 --rounds 1 --max-hexahedra 1 --growths 0)
-  "$program" table build -o trapezohedron-22.hxt --state 22.state --also q1:0888888888a55555dfffff \
+  build -o trapezohedron-22.hxt --state 22.state --also q1:0888888888a55555dfffff \
     --start-from swept.state "${known[@]}" --cut 0 --collared 0 --symmetric 1 --symmetric-hexahedra 56 \
     --symmetric-width 200000 --symmetric-widest 40
-  "$program" table build -o known-22.hxt --max-quads 22 --start-from 22.state "${known[@]}" --cut 0 --collared 0 "${plain[@]}"
-  "$program" table build -o flips-22.hxt --max-quads 22 --start-from known-22.hxt --width 1500000 --per-class 20 \
+  build -o known-22.hxt --max-quads 22 --start-from 22.state "${known[@]}" --cut 0 --collared 0 "${plain[@]}"
+  build -o flips-22.hxt --max-quads 22 --start-from known-22.hxt --width 1500000 --per-class 20 \
     --widest 22 --seed 20261124 --rounds 1 --max-hexahedra 62 --growths 0 --cut 0 --collared 0 "${plain[@]}"
-  "$program" table build -o collared-22.hxt --state collared-22.state --max-quads 22 --start-from twice.state \
+  build -o collared-22.hxt --state collared-22.state --max-quads 22 --start-from twice.state \
     trapezohedron-22.hxt flips-22.hxt "${known[@]}" --cut 0 "${plain[@]}" --collared 1 --collar-hexahedra 6 \
     --collar-width 100 --collar-widest 24
-  "$program" table build -o further-22.hxt --state further-22.state --max-quads 22 --start-from collared-22.state \
+  build -o further-22.hxt --state further-22.state --max-quads 22 --start-from collared-22.state \
     "${known[@]}" --cut 0 "${plain[@]}" --collared 15480 --collar-hexahedra 9 --collar-width 800 --collar-widest 24
-  "$program" table build -o cut-22.hxt --state cut-22.state --max-quads 22 --start-from further-22.state "${known[@]}" \
+  build -o cut-22.hxt --state cut-22.state --max-quads 22 --start-from further-22.state "${known[@]}" \
     "${plain[@]}" --cut 8890 --cuts-each 1 --cut-growths 300 --collared 100 --collar-hexahedra 12 --collar-width 2000 \
     --collar-widest 26
-  "$program" table build -o largest-22.hxt --state largest-22.state --max-quads 22 --start-from cut-22.state "${known[@]}" \
+  build -o largest-22.hxt --state largest-22.state --max-quads 22 --start-from cut-22.state "${known[@]}" \
     "${plain[@]}" --cut 250 --cuts-each 2 --cut-growths 1000 --cut-interior 2 --cut-uphill 6 --collared 1500 \
     --collar-hexahedra 10 --collar-width 1000 --collar-widest 26
-  "$program" table build -o one-22.hxt --max-quads 6 --also q1:00888a66977f88a9777fff --start-from largest-22.state \
+  build -o one-22.hxt --max-quads 6 --also q1:00888a66977f88a9777fff --start-from largest-22.state \
     "${known[@]}" --cut 1 --cuts-each 4 --cut-growths 5000 --cut-uphill 6 --symmetric 1 --symmetric-hexahedra 36 \
     --symmetric-width 3000 --symmetric-widest 36 --collared 1 --collar-hexahedra 18 --collar-width 10000 --collar-widest 28
-  "$program" table build -o hexatlas-22-anew.hxt --max-quads 22 --start-from largest-22.state one-22.hxt "${known[@]}" \
+  build -o hexatlas-22-anew.hxt --max-quads 22 --start-from largest-22.state one-22.hxt "${known[@]}" \
     "${plain[@]}" --cut 0 --collared 0
   # 22 quads as one file, from the table of 20 of today: a sweep, flips within 22 quads, collars, cuts, a sweep again.
   six=(--seed 20261126 --rounds 1 --growths 0)
   broad=(--width 900000 --per-class 200 --max-quads 22 "${six[@]}")
-  "$program" table build -o swept-22.hxt --state swept-22.state --start-from hexatlas-begun.hxt "${broad[@]}" "${plain[@]}" \
+  build -o swept-22.hxt --state swept-22.state --start-from hexatlas-begun.hxt "${broad[@]}" "${plain[@]}" \
     --max-hexahedra 58 --cut 0 --collared 0
-  "$program" table build -o flips-22.hxt --max-quads 22 --start-from swept-22.hxt --width 1500000 --per-class 20 --widest 22 \
+  build -o flips-22.hxt --max-quads 22 --start-from swept-22.hxt --width 1500000 --per-class 20 --widest 22 \
     "${six[@]}" "${plain[@]}" --max-hexahedra 62 --cut 0 --collared 0
-  "$program" table build -o collared-22.hxt --state collared-22.state --start-from swept-22.state flips-22.hxt "${broad[@]}" \
+  build -o collared-22.hxt --state collared-22.state --start-from swept-22.state flips-22.hxt "${broad[@]}" \
     "${plain[@]}" --max-hexahedra 1 --cut 0 --collared 1 --collar-hexahedra 6 --collar-width 100 --collar-widest 24
-  "$program" table build -o further-22.hxt --state further-22.state --start-from collared-22.state "${broad[@]}" "${plain[@]}" \
+  build -o further-22.hxt --state further-22.state --start-from collared-22.state "${broad[@]}" "${plain[@]}" \
     --max-hexahedra 1 --cut 0 --collared 20000 --collar-hexahedra 9 --collar-width 800 --collar-widest 24
-  "$program" table build -o cut-22.hxt --state cut-22.state --start-from further-22.state "${broad[@]}" "${plain[@]}" \
+  build -o cut-22.hxt --state cut-22.state --start-from further-22.state "${broad[@]}" "${plain[@]}" \
     --max-hexahedra 1 --cut 8900 --cuts-each 1 --collared 100 --collar-hexahedra 12 --collar-width 2000 --collar-widest 26
-  "$program" table build -o largest-22.hxt --state largest-22.state --start-from cut-22.state "${broad[@]}" \
+  build -o largest-22.hxt --state largest-22.state --start-from cut-22.state "${broad[@]}" \
     --max-hexahedra 1 --cut 1200 --cuts-each 1 --cut-growths 1000 --cut-interior 2 --cut-uphill 6 --symmetric 1 \
     --symmetric-hexahedra 56 --symmetric-width 30000 --symmetric-widest 40 --collared 0
-  "$program" table build -o annealed-22.hxt --start-from largest-22.state "${broad[@]}" "${plain[@]}" --max-hexahedra 1 --cut 0 \
+  build -o annealed-22.hxt --start-from largest-22.state "${broad[@]}" "${plain[@]}" --max-hexahedra 1 --cut 0 \
     --collared 0 --annealed 20 --anneal-starts 4 --anneal-rounds 160 --collar-hexahedra 14 --collar-width 1500 \
     --collar-widest 28 --collar-narrow 3 --symmetric-hexahedra 50 --symmetric-width 1000 --symmetric-widest 38
-  "$program" table build -o again-22.hxt --state again-22.state --start-from annealed-22.hxt hexatlas-begun.hxt "${broad[@]}" "${plain[@]}" \
+  build -o again-22.hxt --state again-22.state --start-from annealed-22.hxt hexatlas-begun.hxt "${broad[@]}" "${plain[@]}" \
     --max-hexahedra 64 --cut 0 --collared 0
   last=(--width 1 --per-class 1 "${six[@]}" "${plain[@]}" --max-hexahedra 1 --cut 0 --collared 0)
-  "$program" table build -o hexatlas-now.hxt --start-from hexatlas-begun.hxt again-22.hxt "${last[@]}"
-  "$program" table build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas-now.hxt again-22.hxt "${last[@]}"
+  build -o hexatlas-now.hxt --start-from hexatlas-begun.hxt again-22.hxt "${last[@]}"
+  build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas-now.hxt again-22.hxt "${last[@]}"
   # A wider sweep and annealing of many, in a contest that went on with the promising meshes; each was stopped, after 8 and after 33
   # minutes, and the table made of what it had saved; the second one went on then for 100 minutes.
   beginnings=(--collar-widest 28 --collar-narrow 3 --symmetric-hexahedra 50 --symmetric-widest 38)
   many=(--anneal-rounds 160 --anneal-leaps 0 "${beginnings[@]}")
   quiet=(--rounds 1 --growths 0 --cut 0 --collared 0 "${plain[@]}")
-  "$program" table build -o contest.hxt --start-from again-22.state hexatlas-now.hxt --width 900000 --per-class 200 --seed 20261126 \
+  build -o contest.hxt --start-from again-22.state hexatlas-now.hxt --width 900000 --per-class 200 --seed 20261126 \
     --max-hexahedra 1 "${quiet[@]}" "${many[@]}" --annealed 142 --anneal-starts 8 --collar-hexahedra 24 --collar-width 1500 --symmetric-width 1000
   wider=(--width 2200000 --per-class 200 --seed 20261127 "${quiet[@]}")
-  "$program" table build -o wide.hxt --state wide.state --start-from hexatlas-now.hxt again-22.hxt "${wider[@]}" --memory 14 --max-hexahedra 56
-  "$program" table build -o all.hxt --state all.state --start-from wide.state contest.hxt wide.hxt "${wider[@]}" --max-hexahedra 1 "${many[@]}" \
+  build -o wide.hxt --state wide.state --start-from hexatlas-now.hxt again-22.hxt "${wider[@]}" --memory 14 --max-hexahedra 56
+  build -o all.hxt --state all.state --start-from wide.state contest.hxt wide.hxt "${wider[@]}" --max-hexahedra 1 "${many[@]}" \
     --annealed 860 --anneal-starts 6 --collar-hexahedra 22 --collar-width 1000 --symmetric-width 800
-  "$program" table build -o hexatlas-earlier.hxt --start-from hexatlas-now.hxt all.hxt "${last[@]/20261126/20261127}"
-  "$program" table build -o all2.hxt --start-from all.state contest.hxt wide.hxt "${wider[@]}" --max-hexahedra 1
-  "$program" table build -o hexatlas-many.hxt --start-from hexatlas-earlier.hxt all2.hxt "${last[@]/20261126/20261127}"
+  build -o hexatlas-earlier.hxt --start-from hexatlas-now.hxt all.hxt "${last[@]/20261126/20261127}"
+  build -o all2.hxt --start-from all.state contest.hxt wide.hxt "${wider[@]}" --max-hexahedra 1
+  build -o hexatlas-many.hxt --start-from hexatlas-earlier.hxt all2.hxt "${last[@]/20261126/20261127}"
   # Another sweep of this width.
-  "$program" table build -o swept.hxt --state swept.state --start-from hexatlas-many.hxt hexatlas-22.hxt \
+  build -o swept.hxt --state swept.state --start-from hexatlas-many.hxt hexatlas-22.hxt \
     "${wider[@]/20261127/20261128}" --memory 14 --max-hexahedra 56
-  "$program" table build -o hexatlas-broad.hxt --start-from hexatlas-many.hxt swept.hxt "${last[@]/20261126/20261128}"
+  build -o hexatlas-broad.hxt --start-from hexatlas-many.hxt swept.hxt "${last[@]/20261126/20261128}"
   # Annealing that begins in each dual class; stopped after 137 boundaries, and the table made of what it had saved; gone on with for 80
   # more, then for 140 of 51 hexahedra by a program that passed over the others.
-  "$program" table build -o all.hxt --state classes.state --start-from swept.state swept.hxt "${wider[@]/20261127/20261128}" \
+  build -o all.hxt --state classes.state --start-from swept.state swept.hxt "${wider[@]/20261127/20261128}" \
     --max-hexahedra 1 "${many[@]}" --annealed 700 --anneal-starts 8 --collar-hexahedra 22 --collar-width 1000 --symmetric-width 800
-  "$program" table build -o hexatlas-classes.hxt --start-from hexatlas-broad.hxt all.hxt "${last[@]/20261126/20261128}"
+  build -o hexatlas-classes.hxt --start-from hexatlas-broad.hxt all.hxt "${last[@]/20261126/20261128}"
   # Three times another sweep, then leaps: for a part of these boundaries by a trial program; with shorter walks, those of 52 and more by a
   # trial program, those of 51 by one that passed over the others; by one that leapt for so many seconds instead of so many times.
   leap_from() { # TABLE SEED BOUNDARIES COLLAR-WIDTH SYMMETRIC-WIDTH RESULT
     local swept="swept-$2.state" options=("${wider[@]/20261127/$2}")
-    "$program" table build -o swept.hxt --state "$swept" --start-from "$1" hexatlas-22.hxt "${options[@]}" --memory 14 --max-hexahedra 56
-    "$program" table build -o leapt.hxt --state "leapt-$2.state" --start-from "$swept" swept.hxt "${options[@]}" --max-hexahedra 1 \
+    build -o swept.hxt --state "$swept" --start-from "$1" hexatlas-22.hxt "${options[@]}" --memory 14 --max-hexahedra 56
+    build -o leapt.hxt --state "leapt-$2.state" --start-from "$swept" swept.hxt "${options[@]}" --max-hexahedra 1 \
       "${beginnings[@]}" --annealed "$3" --collar-hexahedra 22 --collar-width "$4" --symmetric-width "$5"
-    "$program" table build -o "$6" --start-from "$1" leapt.hxt "${last[@]/20261126/$2}"
+    build -o "$6" --start-from "$1" leapt.hxt "${last[@]/20261126/$2}"
   }
   leap_from hexatlas-classes.hxt 20261201 520 1000 800 hexatlas-leapt.hxt
   leap_from hexatlas-leapt.hxt 20261202 500 1000 800 hexatlas-more.hxt
@@ -160,10 +161,10 @@ if [[ "${1:-}" == --search ]]; then
   faulty_from() { # TABLE SEED BOUNDARIES CUT RESULT WIDEST [OPTIONS OF THE COLLARS]
     local swept="swept-$2.state" options=(--width "${fronts:-2200000}" --per-class "${each:-200}" --widest "$6" --seed "$2" --rounds 1 --growths 0 --cut 0 --collared 0
       --symmetric 0 --irregular "${preferring:-0}")
-    "$program" table build -o swept.hxt --state "$swept" --start-from "$1" hexatlas-22.hxt "${options[@]}" --memory "${memory:-14}" --max-hexahedra "${most:-56}"
-    "$program" table build -o faulty.hxt --start-from "$swept" swept.hxt "${options[@]}" --max-hexahedra 1 --annealed "$3" --anneal-starts 1 \
+    build -o swept.hxt --state "$swept" --start-from "$1" hexatlas-22.hxt "${options[@]}" --memory "${memory:-14}" --max-hexahedra "${most:-56}"
+    build -o faulty.hxt --start-from "$swept" swept.hxt "${options[@]}" --max-hexahedra 1 --annealed "$3" --anneal-starts 1 \
       --anneal-leaps 0 --anneal-faulty 400 --anneal-cut "$4" --anneal-transplant 0 "${@:7}"
-    "$program" table build -o "$5" --start-from "$1" swept.hxt faulty.hxt "${last[@]/20261126/$2}"
+    build -o "$5" --start-from "$1" swept.hxt faulty.hxt "${last[@]/20261126/$2}"
   }
   narrow=(--collar-hexahedra 10 --collar-width 10000)
   all_there_are=(--collar-hexahedra 14 --collar-width 60000)
@@ -196,33 +197,38 @@ if [[ "${1:-}" == --search ]]; then
   # Symmetric balls: for all boundaries that have an involution, then, with more of them, for the nine above 50. Then a sweep.
   symmetric=(--width 1 --per-class 1 --max-hexahedra 1 --rounds 1 --growths 0 --cut 0 --collared 0 --symmetric-narrow 0
     --symmetric-widest 36 --symmetric-ball-widest 36 --symmetric-ball-hexahedra 30)
-  "$program" table build -o symmetric-all.hxt --start-from hexatlas-more-22.hxt "${symmetric[@]}" --seed 20270104 \
+  build -o symmetric-all.hxt --start-from hexatlas-more-22.hxt "${symmetric[@]}" --seed 20270104 \
     --symmetric 3400 --symmetric-hexahedra 10 --symmetric-width 100 --symmetric-ball-width 40000
-  "$program" table build -o symmetric-nine.hxt --start-from hexatlas-more-22.hxt "${symmetric[@]}" --seed 1 \
+  build -o symmetric-nine.hxt --start-from hexatlas-more-22.hxt "${symmetric[@]}" --seed 1 \
     --symmetric 9 --symmetric-hexahedra 26 --symmetric-width 20000 --symmetric-ball-width 100000
-  "$program" table build -o swept.hxt --start-from hexatlas-more-22.hxt symmetric-nine.hxt symmetric-all.hxt "${quiet[@]}" \
+  build -o swept.hxt --start-from hexatlas-more-22.hxt symmetric-nine.hxt symmetric-all.hxt "${quiet[@]}" \
     --width 6000000 --per-class 60 --seed 20270105 --memory 17 --max-hexahedra 47
-  "$program" table build -o hexatlas-symmetric-balls.hxt --start-from hexatlas-more-22.hxt symmetric-nine.hxt symmetric-all.hxt swept.hxt \
+  build -o hexatlas-symmetric-balls.hxt --start-from hexatlas-more-22.hxt symmetric-nine.hxt symmetric-all.hxt swept.hxt \
     "${last[@]/20261126/20270105}"
   # And one that prefers boundaries with few simple zones.
-  "$program" table build -o swept.hxt --start-from hexatlas-symmetric-balls.hxt "${quiet[@]}" --width 3500000 --per-class 20 --widest 26 \
+  build -o swept.hxt --start-from hexatlas-symmetric-balls.hxt "${quiet[@]}" --width 3500000 --per-class 20 --widest 26 \
     --irregular 1 --simple-zones 30 --seed 20270201 --memory 16 --max-hexahedra 50
-  "$program" table build -o hexatlas-simple.hxt --start-from hexatlas-symmetric-balls.hxt swept.hxt "${last[@]/20261126/20270201}"
+  build -o hexatlas-simple.hxt --start-from hexatlas-symmetric-balls.hxt swept.hxt "${last[@]/20261126/20270201}"
   # A shorter one from another seed, wide collars that go by promise for those above 50, and annealing from these.
-  "$program" table build -o swept.hxt --start-from hexatlas-simple.hxt --rounds 1 --growths 0 --cut 0 --symmetric 0 --width 1000000 --per-class 20 --widest 26 \
+  build -o swept.hxt --start-from hexatlas-simple.hxt --rounds 1 --growths 0 --cut 0 --symmetric 0 --width 1000000 --per-class 20 --widest 26 \
     --irregular 1 --simple-zones 30 --seed 20270401 --memory 14 --max-hexahedra 45 --collared 140 --collar-widest 34 --collar-narrow 12 \
     --collar-hexahedra 26 --collar-width 3000 --guided 2 --annealed 8 --anneal-starts 1 --anneal-faulty 300 --anneal-cut 0 --anneal-transplant 0 \
     --symmetric-hexahedra 1 --symmetric-ball-hexahedra 0
-  "$program" table build -o hexatlas-wide-collars.hxt --start-from hexatlas-simple.hxt swept.hxt "${last[@]/20261126/20270401}"
+  build -o hexatlas-wide-collars.hxt --start-from hexatlas-simple.hxt swept.hxt "${last[@]/20261126/20270401}"
   # Transplants, with the balls of such a sweep from another seed: for those with 50 hexahedra and more, then for those with 47 and more (stopped after 27 CPU minutes).
   transplants=(--width 1000000 --per-class 20 --widest 26 --irregular 1 --simple-zones 30 --seed 20270501 --memory 12 --rounds 1 --growths 0 --cut 0
     --symmetric 0 --symmetric-ball-hexahedra 0 --collared 0 --anneal-starts 1 --anneal-faulty 0 --anneal-cut 0 --anneal-leaps 0)
-  "$program" table build -o swept.hxt --state swept.state --start-from hexatlas-wide-collars.hxt "${transplants[@]}" --max-hexahedra 45
-  "$program" table build -o fifty.hxt --start-from swept.state hexatlas-wide-collars.hxt "${transplants[@]}" --max-hexahedra 1 \
+  build -o swept.hxt --state swept.state --start-from hexatlas-wide-collars.hxt "${transplants[@]}" --max-hexahedra 45
+  build -o fifty.hxt --start-from swept.state hexatlas-wide-collars.hxt "${transplants[@]}" --max-hexahedra 1 \
     --annealed 141 --anneal-transplant 60
-  "$program" table build -o transplanted.hxt --start-from swept.state fifty.hxt "${transplants[@]}" --max-hexahedra 1 \
+  build -o transplanted.hxt --start-from swept.state fifty.hxt "${transplants[@]}" --max-hexahedra 1 \
     --annealed 900 --anneal-transplant 24
-  "$program" table build -o hexatlas.hxt --start-from hexatlas-wide-collars.hxt transplanted.hxt "${last[@]/20261126/20270501}"
+  build -o hexatlas-transplants.hxt --start-from hexatlas-wide-collars.hxt transplanted.hxt "${last[@]/20261126/20270501}"
+  # The same once more, for those with 46 and more (stopped after some 25 CPU minutes).
+  more_transplants=("${transplants[@]/20270501/20270601}")
+  build -o swept.hxt --state swept.state --start-from hexatlas-transplants.hxt "${more_transplants[@]}" --max-hexahedra 45
+  build -o transplanted.hxt --start-from swept.state swept.hxt "${more_transplants[@]}" --max-hexahedra 1 --annealed 1185 --anneal-transplant 24
+  build -o hexatlas.hxt --start-from hexatlas-transplants.hxt transplanted.hxt "${last[@]/20261126/20270602}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
