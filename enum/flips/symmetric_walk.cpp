@@ -128,29 +128,39 @@ int SymmetricWalk::own_common_scars(const Relation& outside) const {
   return twice / 2;
 }
 
-bool SymmetricWalk::invariant_exchange(const Climate& climate) {
+/// Grows a ball that is its own image somewhere. Returns whether it came to its size.
+bool SymmetricWalk::grow_own_image() {
   const auto& image = involution_.cell;
   const auto first = static_cast<std::uint32_t>(random_.below(mesh_.hexahedra.size()));
   ball_.restart(first);
   if (!is_own_image(first) && !ball_.grow(image[first])) return false;
-  const std::size_t most =
+  const std::size_t size =
       kSmallestExchange + random_.below(kLargestExchange - kSmallestExchange + 1);
   const auto any = [](std::uint32_t) { return true; };
   const auto take_orbit = [&](std::uint32_t cell) -> std::optional<bool> {
     if (!ball_.grow(cell)) return std::nullopt;
     return is_own_image(cell) || ball_.grow(image[cell]);
   };
-  if (!grow_to(most, any, take_orbit) || ball_.quads() < 8) return false;
+  return grow_to(size, any, take_orbit);
+}
 
+/// What is left without the ball, which is its own image; `outside` relates what lies around it.
+SymmetricFront SymmetricWalk::cavity_of_ball(const Relation& outside) const {
+  SymmetricFront result{{ball_.front().boundary, outside}, {}};
+  const Relation quads = relation_of_quads(result.front.boundary);
+  for (std::size_t v = 0; v < static_cast<std::size_t>(result.front.boundary.vertices()); ++v) {
+    result.front.related[v] |= quads[v];
+    result.image[v] = ball_.boundary_vertex(involution_.vertex[ball_.rim(static_cast<Vertex>(v))]);
+  }
+  return result;
+}
+
+bool SymmetricWalk::invariant_exchange(const Climate& climate) {
+  if (!grow_own_image()) return false;
   const int size = static_cast<int>(ball_.cells().size());
   const Relation outside = ball_.related_outside();
-  SymmetricFront cavity{{ball_.front().boundary, outside}, {}};
+  const SymmetricFront cavity = cavity_of_ball(outside);
   const auto vertices = static_cast<std::size_t>(cavity.front.boundary.vertices());
-  const Relation quads = relation_of_quads(cavity.front.boundary);
-  for (std::size_t v = 0; v < vertices; ++v) {
-    cavity.front.related[v] |= quads[v];
-    cavity.image[v] = ball_.boundary_vertex(involution_.vertex[ball_.rim(static_cast<Vertex>(v))]);
-  }
   const CanonicalSymmetricState canonical = canonical_state(cavity);
   SymmetricBeam::Node node;
   node.state = canonical.state;

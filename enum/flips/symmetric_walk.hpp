@@ -54,6 +54,8 @@ class SymmetricWalk {
   template <class MayTake, class Take>
   bool grow_to(std::size_t size, MayTake&& may_take, Take&& take);
   bool double_exchange(const Climate& climate, BallLayers& layers);
+  bool grow_own_image();
+  [[nodiscard]] SymmetricFront cavity_of_ball(const Relation& outside) const;
   bool invariant_exchange(const Climate& climate);
   [[nodiscard]] complex::HexComplex doubly_exchanged(const Layers& layers, const Fit& fit) const;
   [[nodiscard]] int own_common_scars(const Relation& outside) const;

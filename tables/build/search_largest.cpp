@@ -34,7 +34,7 @@ std::size_t per_step(const flips::BeamOptions& collars) {
 /// The same for annealing: about two minutes of two processors at most, or one boundary.
 std::size_t annealed_per_step(const SearchOptions& options) {
   constexpr std::size_t kRounds = 20'000;
-  constexpr std::size_t kCostOfSymmetric = 4;  // rounds that one of these takes as long as
+  constexpr std::size_t kCostOfSymmetric = 8;  // rounds that one of these takes as long as
   const std::size_t rounds =
       (options.anneal_starts + 3 * options.anneal_faulty + options.anneal_cut +
        options.anneal_transplant + static_cast<std::size_t>(options.anneal_leaps)) *
