@@ -32,8 +32,8 @@ struct AnnealingOptions {
   int rounds = 8;
   int leaps = 120;  ///< to other meshes, half of them to other dual classes
   std::uint64_t seed = 1;
-  int threads = 1;                            ///< does not change the result
-  int symmetric_rounds = 0;                   ///< with each involution of a beginning
+  int threads = 1;           ///< does not change the result
+  int symmetric_rounds = 0;  ///< with each of involutions_of() that a beginning has
   const SymmetricBalls* symmetric = nullptr;  ///< for invariant exchanges, if there are any
 };
 
