@@ -355,7 +355,7 @@ void add_table(CLI::App& app, Action& action, const std::string& command_line) {
          "Rounds of annealing of each mesh; each takes about 0.012 seconds of one processor");
   effort("--anneal-symmetric", search.anneal_symmetric, 0, 10'000'000,
          "Rounds of annealing that keeps a symmetry of order two, of each mesh that has one and "
-         "for each that it has; each takes about 0.1 seconds of one processor");
+         "for each that it has; each takes 0.02 to 0.1 seconds of one processor");
   effort(
       "--anneal-leaps", search.anneal_leaps, 0, 10'000'000,
       "Meshes made from the least ones known of the same boundary by an exchange of a large part, "

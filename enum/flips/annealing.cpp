@@ -148,7 +148,8 @@ HexComplex least_by_annealing(const Beginnings& begin, int quads, const Beam& ba
   };
   std::vector<Involution> involutions;
   if (options.symmetric_rounds > 0) involutions = involutions_of_boundary(begin.strict.front());
-  const auto anneal_symmetric = [&](const HexComplex& mesh) {
+  const auto begin_with = [&](const HexComplex& mesh, int faults) {
+    anneal(mesh, faults);
     for (const Involution& involution : involutions) {
       if (!extended(involution, mesh, quads, SubBall::neighbours_of(mesh))) continue;
       const auto walk_of = [&](std::uint64_t seed) {
@@ -158,14 +159,8 @@ HexComplex least_by_annealing(const Beginnings& begin, int quads, const Beam& ba
         anneal(*found, 0);
     }
   };
-  for (const HexComplex& mesh : begin.strict) {
-    anneal(mesh, 0);
-    anneal_symmetric(mesh);
-  }
-  for (const FaultyMesh& own : begin.faulty) {
-    anneal(own.mesh, own.faults);
-    anneal_symmetric(own.mesh);
-  }
+  for (const HexComplex& mesh : begin.strict) begin_with(mesh, 0);
+  for (const FaultyMesh& own : begin.faulty) begin_with(own.mesh, own.faults);
   for (int i = 0; i < options.leaps; ++i) {
     Walk walk(least.some(random), quads, balls, random.number());
     const auto kind = random.below(2) == 0 ? Walk::Leap::any_other : Walk::Leap::other_parity;

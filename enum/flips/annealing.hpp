@@ -48,7 +48,7 @@ struct Beginnings {
 /// one. The vertices of the boundary stay. Requires at least one strict mesh, and that `balls` grew
 /// from the single hexahedron. Deterministic.
 /// Not promised: that the mesh has a shelling. Cost: about 0.012 s per round of each beginning and
-/// leap, 0.1 s per symmetric round.
+/// leap, 0.02 to 0.1 s per symmetric round.
 [[nodiscard]] complex::HexComplex least_by_annealing(const Beginnings& begin, int quads,
                                                      const Beam& balls,
                                                      const AnnealingOptions& options);

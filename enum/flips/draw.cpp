@@ -6,9 +6,24 @@
 namespace hexatlas::flips {
 namespace {
 
-constexpr std::size_t kSameState = 16;  ///< of so many exchanges for the same state one is made
+constexpr std::size_t kSmallestBall = 2;  ///< hexahedra
+constexpr std::size_t kLargestBall = 22;  ///< hardly a larger one is exchanged
+constexpr std::size_t kSameState = 16;    ///< of so many exchanges for the same state one is made
 
 }  // namespace
+
+std::size_t size_of_exchange(core::Random& random) {
+  return kSmallestBall + random.below(kLargestBall - kSmallestBall + 1);
+}
+
+std::optional<std::size_t> drawn_by_weight(const std::vector<double>& sums, double to_stay,
+                                           core::Random& random) {
+  const double total = sums.empty() ? to_stay : sums.back();
+  if (total == 0) return std::nullopt;
+  const double at = std::min(random.uniform() * total, std::nextafter(total, 0.0));
+  if (at < to_stay) return std::nullopt;
+  return static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end(), at) - sums.begin());
+}
 
 std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Climate& climate,
                          std::optional<Walk::Leap> leap, core::Random& random,
@@ -46,13 +61,10 @@ std::optional<Draw> draw(const SubBall& ball, const Beam& balls, const Climate& 
                                 other.scars.size_in_common(position.scars) - own);
       sums.push_back(total);
     }
-  if (total == 0) return std::nullopt;
-  const double at = std::min(random.uniform() * total, std::nextafter(total, 0.0));
-  if (at < to_stay) return std::nullopt;
-  const auto drawn =
-      static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end(), at) - sums.begin());
-  const Position& position = positions[drawn / known.size()];
-  const std::size_t place = drawn % known.size();
+  const auto drawn = drawn_by_weight(sums, to_stay, random);
+  if (!drawn) return std::nullopt;
+  const Position& position = positions[*drawn / known.size()];
+  const std::size_t place = *drawn % known.size();
   const StoredFront& ball_drawn = known[place];
   if (is_same(ball_drawn, position) && random.below(kSameState) != 0) return std::nullopt;
   return Draw{{{*number, static_cast<std::uint32_t>(place)}, position.label, position.is_mirrored},

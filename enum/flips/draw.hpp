@@ -2,6 +2,7 @@
 /// \file
 /// One of the balls that fit in place of a sub-ball, drawn at random: the step of a walk.
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -13,9 +14,15 @@
 
 namespace hexatlas::flips {
 
-inline constexpr std::size_t kSmallestExchange = 2;  ///< hexahedra of a ball that a step exchanges
-inline constexpr std::size_t kLargestExchange = 22;  ///< hardly a larger one is exchanged
-inline constexpr int kMostClimb = 10;                ///< hexahedra that one exchange may add
+inline constexpr int kMostClimb = 10;  ///< hexahedra that one exchange may add
+
+/// Hexahedra of the ball that a step exchanges.
+[[nodiscard]] std::size_t size_of_exchange(core::Random& random);
+
+/// A place of `sums`, each with the probability of its weight, by which the sum there is greater
+/// than the one before; nullopt with that of the weight `to_stay`, with which the sums begin.
+[[nodiscard]] std::optional<std::size_t> drawn_by_weight(const std::vector<double>& sums,
+                                                         double to_stay, core::Random& random);
 
 /// An exchange, and what it does to the number of faults.
 struct Draw {

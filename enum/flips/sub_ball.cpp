@@ -173,19 +173,6 @@ void SubBall::take_in(std::uint32_t cell) {
   }
 }
 
-bool SubBall::grow_somewhere(core::Random& random, int weight) {
-  candidates_.clear();
-  for (const std::uint32_t cell : touching_)
-    candidates_.emplace_back(weight * shared_[cell] + static_cast<int>(random.below(6)), cell);
-  while (!candidates_.empty()) {
-    const auto best = std::max_element(candidates_.begin(), candidates_.end());
-    if (grow(best->second)) return true;
-    *best = candidates_.back();
-    candidates_.pop_back();
-  }
-  return false;
-}
-
 const SubBall::Rim& SubBall::rim_now() const {
   if (!rim_.is_current) make_rim();
   return rim_;

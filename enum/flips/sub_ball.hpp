@@ -2,6 +2,7 @@
 /// \file
 /// Balls of hexahedra inside a mesh, grown one by one: what an exchange replaces.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -45,9 +46,15 @@ class SubBall {
   /// Grows by one of the hexahedra that touch: mostly by one with many facets on the ball, which
   /// keeps the boundary short, the more so the greater the weight; by another one if that is
   /// impossible.
-  bool grow_somewhere(core::Random& random, int weight = 4);
+  bool grow_somewhere(core::Random& random, int weight = 4) {
+    return grow_somewhere(random, weight, [](std::uint32_t) { return true; });
+  }
+  /// The same by one of those hexahedra that `may_take(cell)` admits.
+  template <class MayTake>
+  bool grow_somewhere(core::Random& random, int weight, MayTake&& may_take);
 
   [[nodiscard]] bool contains(std::uint32_t cell) const noexcept { return inside_[cell]; }
+  /// In the order in which they were added.
   [[nodiscard]] const std::vector<std::uint32_t>& cells() const noexcept { return cells_; }
   /// The number of quads of its boundary.
   [[nodiscard]] int quads() const noexcept { return quads_; }
@@ -103,5 +110,20 @@ class SubBall {
   std::vector<std::pair<int, std::uint32_t>> candidates_;  ///< of grow_somewhere()
   mutable Rim rim_;
 };
+
+template <class MayTake>
+bool SubBall::grow_somewhere(core::Random& random, int weight, MayTake&& may_take) {
+  candidates_.clear();
+  for (const std::uint32_t cell : touching_)
+    if (may_take(cell))
+      candidates_.emplace_back(weight * shared_[cell] + static_cast<int>(random.below(6)), cell);
+  while (!candidates_.empty()) {
+    const auto best = std::max_element(candidates_.begin(), candidates_.end());
+    if (grow(best->second)) return true;
+    *best = candidates_.back();
+    candidates_.pop_back();
+  }
+  return false;
+}
 
 }  // namespace hexatlas::flips

@@ -1,7 +1,5 @@
 #include "enum/flips/symmetric_walk.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -48,47 +46,40 @@ bool SymmetricWalk::step(const Climate& climate, BallLayers& layers) {
   return double_exchange(climate, layers);
 }
 
-/// Adds hexahedra that share facets with the ball, mostly many. Returns whether it came to that
-/// size. `take(cell)`: false if the ball is of no use any more, nullopt if another one may do.
-template <class MayTake, class Take>
-bool SymmetricWalk::grow_to(std::size_t size, MayTake&& may_take, Take&& take) {
-  const std::uint64_t weight = random_.below(5);
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> next;  // facets shared, hexahedron
-  while (ball_.cells().size() < size) {
-    next.clear();
-    std::vector<std::uint32_t> touching;
-    for (const std::uint32_t cell : ball_.cells())
-      for (const std::uint32_t other : neighbours_[cell])
-        if (other != SubBall::kOutside && !ball_.contains(other) && may_take(other))
-          touching.push_back(other);
-    std::sort(touching.begin(), touching.end());
-    for (auto at = touching.begin(); at != touching.end();) {
-      const auto end = std::upper_bound(at, touching.end(), *at);
-      next.emplace_back(weight * static_cast<std::uint64_t>(end - at) + random_.below(4), *at);
-      at = end;
-    }
-    std::sort(next.rbegin(), next.rend());
-    std::optional<bool> taken;
-    for (auto at = next.begin(); at != next.end() && !taken; ++at) taken = take(at->second);
-    if (!taken.value_or(false)) return false;
-  }
-  return true;
-}
-
-bool SymmetricWalk::double_exchange(const Climate& climate, BallLayers& layers) {
+/// Grows a ball that shares no hexahedron with its image. Returns whether it came to its size.
+bool SymmetricWalk::grow_apart() {
   const auto& image = involution_.cell;
   const auto first = static_cast<std::uint32_t>(random_.below(mesh_.hexahedra.size()));
   if (is_own_image(first)) return false;
   ball_.restart(first);
-  const std::size_t size =
-      kSmallestExchange + random_.below(kLargestExchange - kSmallestExchange + 1);
+  const std::size_t size = size_of_exchange(random_);
+  const int weight = static_cast<int>(random_.below(5));
   const auto is_apart = [&](std::uint32_t cell) {
     return !is_own_image(cell) && !ball_.contains(image[cell]);
   };
-  const auto take = [&](std::uint32_t cell) {
-    return ball_.grow(cell) ? std::optional(true) : std::nullopt;
+  while (ball_.cells().size() < size)
+    if (!ball_.grow_somewhere(random_, weight, is_apart)) return false;
+  return true;
+}
+
+/// Grows a ball that is its own image. Returns whether it came to its size.
+bool SymmetricWalk::grow_own_image() {
+  const auto grow_image_of = [&](std::uint32_t cell) {
+    return is_own_image(cell) || ball_.grow(involution_.cell[cell]);
   };
-  if (!grow_to(size, is_apart, take) || ball_.quads() > balls_.options().max_quads) return false;
+  const auto first = static_cast<std::uint32_t>(random_.below(mesh_.hexahedra.size()));
+  ball_.restart(first);
+  if (!grow_image_of(first)) return false;
+  const std::size_t size = size_of_exchange(random_);
+  const int weight = static_cast<int>(random_.below(5));
+  while (ball_.cells().size() < size)
+    if (!ball_.grow_somewhere(random_, weight) || !grow_image_of(ball_.cells().back()))
+      return false;
+  return true;
+}
+
+bool SymmetricWalk::double_exchange(const Climate& climate, BallLayers& layers) {
+  if (!grow_apart() || ball_.quads() > balls_.options().max_quads) return false;
   const auto drawn = draw(ball_, balls_, climate, std::nullopt, random_, sums_);
   if (!drawn) return false;
   return accept(doubly_exchanged(layers.of(drawn->fit.ball), drawn->fit),
@@ -117,36 +108,9 @@ HexComplex SymmetricWalk::doubly_exchanged(const Layers& layers, const Fit& fit)
   return result;
 }
 
-/// The scars that the ball has in common with what is outside.
-int SymmetricWalk::own_common_scars(const Relation& outside) const {
-  const Front& front = ball_.front();
-  const Relation quads = relation_of_quads(front.boundary);
-  int twice = 0;
-  for (std::size_t v = 0; v < static_cast<std::size_t>(front.boundary.vertices()); ++v)
-    twice +=
-        std::popcount(front.related[v] & outside[v] & ~quads[v] & ~bit(static_cast<Vertex>(v)));
-  return twice / 2;
-}
-
-/// Grows a ball that is its own image somewhere. Returns whether it came to its size.
-bool SymmetricWalk::grow_own_image() {
-  const auto& image = involution_.cell;
-  const auto first = static_cast<std::uint32_t>(random_.below(mesh_.hexahedra.size()));
-  ball_.restart(first);
-  if (!is_own_image(first) && !ball_.grow(image[first])) return false;
-  const std::size_t size =
-      kSmallestExchange + random_.below(kLargestExchange - kSmallestExchange + 1);
-  const auto any = [](std::uint32_t) { return true; };
-  const auto take_orbit = [&](std::uint32_t cell) -> std::optional<bool> {
-    if (!ball_.grow(cell)) return std::nullopt;
-    return is_own_image(cell) || ball_.grow(image[cell]);
-  };
-  return grow_to(size, any, take_orbit);
-}
-
-/// What is left without the ball, which is its own image; `outside` relates what lies around it.
-SymmetricFront SymmetricWalk::cavity_of_ball(const Relation& outside) const {
-  SymmetricFront result{{ball_.front().boundary, outside}, {}};
+/// What is left without the ball, which is its own image.
+SymmetricFront SymmetricWalk::cavity_of_ball() const {
+  SymmetricFront result{{ball_.front().boundary, ball_.related_outside()}, {}};
   const Relation quads = relation_of_quads(result.front.boundary);
   for (std::size_t v = 0; v < static_cast<std::size_t>(result.front.boundary.vertices()); ++v) {
     result.front.related[v] |= quads[v];
@@ -158,10 +122,9 @@ SymmetricFront SymmetricWalk::cavity_of_ball(const Relation& outside) const {
 bool SymmetricWalk::invariant_exchange(const Climate& climate) {
   if (!grow_own_image()) return false;
   const int size = static_cast<int>(ball_.cells().size());
-  const Relation outside = ball_.related_outside();
-  const SymmetricFront cavity = cavity_of_ball(outside);
-  const auto vertices = static_cast<std::size_t>(cavity.front.boundary.vertices());
-  const CanonicalSymmetricState canonical = canonical_state(cavity);
+  const Front& front = ball_.front();
+  const auto vertices = static_cast<std::size_t>(front.boundary.vertices());
+  const CanonicalSymmetricState canonical = canonical_state(cavity_of_ball());
   SymmetricBeam::Node node;
   node.state = canonical.state;
   struct Way {
@@ -169,8 +132,11 @@ bool SymmetricWalk::invariant_exchange(const Climate& climate) {
     int hexahedra, faults;  ///< more than now
   };
   std::vector<Way> ways;
-  const int own = own_common_scars(outside);
-  double total = 1;
+  const int own = scars_of<SymmetricState::Scars>(front.related, relation_of_quads(front.boundary),
+                                                  front.boundary.vertices(), canonical.label)
+                      .size_in_common(canonical.state.scars);
+  constexpr double kToStay = 1;
+  double total = kToStay;
   sums_.clear();
   symmetric_->for_each_pairing(
       node, {.price = 0, .below = size + kMostClimb + 1},
@@ -179,10 +145,9 @@ bool SymmetricWalk::invariant_exchange(const Climate& climate) {
         total += std::sqrt(climate.factor(ways.back().hexahedra, ways.back().faults));
         sums_.push_back(total);
       });
-  const double at = std::min(random_.uniform() * total, std::nextafter(total, 0.0));
-  if (at < 1) return false;
-  const Way& way = ways[static_cast<std::size_t>(std::upper_bound(sums_.begin(), sums_.end(), at) -
-                                                 sums_.begin())];
+  const auto drawn = drawn_by_weight(sums_, kToStay, random_);
+  if (!drawn) return false;
+  const Way& way = ways[*drawn];
   if (way.hexahedra == 0 && way.faults == 0 && random_.below(kSamePrice) != 0) return false;
   const SymmetricFit fit = symmetric_->fit_of(node, way.pairing);
   std::vector<VertexId> canonical_rim(vertices), rim(vertices);

@@ -51,14 +51,12 @@ class SymmetricWalk {
   [[nodiscard]] bool is_own_image(std::uint32_t cell) const noexcept {
     return involution_.cell[cell] == cell;
   }
-  template <class MayTake, class Take>
-  bool grow_to(std::size_t size, MayTake&& may_take, Take&& take);
+  bool grow_apart();
   bool double_exchange(const Climate& climate, BallLayers& layers);
   bool grow_own_image();
-  [[nodiscard]] SymmetricFront cavity_of_ball(const Relation& outside) const;
+  [[nodiscard]] SymmetricFront cavity_of_ball() const;
   bool invariant_exchange(const Climate& climate);
   [[nodiscard]] complex::HexComplex doubly_exchanged(const Layers& layers, const Fit& fit) const;
-  [[nodiscard]] int own_common_scars(const Relation& outside) const;
   bool accept(complex::HexComplex made, int expected_faults, const Climate& climate);
 
   complex::HexComplex mesh_;

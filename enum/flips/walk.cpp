@@ -54,8 +54,7 @@ bool Walk::exchange(const Climate& climate, BallLayers& layers, std::optional<Le
 
 bool Walk::step(const Climate& climate, BallLayers& layers) {
   ball_.restart(static_cast<std::uint32_t>(random_.below(mesh_.hexahedra.size())));
-  const std::size_t size =
-      kSmallestExchange + random_.below(kLargestExchange - kSmallestExchange + 1);
+  const std::size_t size = size_of_exchange(random_);
   const int weight = static_cast<int>(random_.below(5));
   return grow_to(size, weight) && exchange(climate, layers, std::nullopt);
 }

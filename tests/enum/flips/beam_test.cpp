@@ -13,6 +13,7 @@
 
 #include "enum/core/errors.hpp"
 #include "enum/flips/meeting.hpp"
+#include "tests/enum/flips/small_beam.hpp"
 #include "tests/enum/support.hpp"
 
 namespace {
@@ -214,10 +215,7 @@ TEST(Beam, QuadsIrregularityAndSimpleZonesCountAsSoManyScars) {
     options.scars_per_simple_zone = prices.simple_zone;
     Beam beam(single(), options);
     const auto cost = [&](const State& state) {
-      const auto boundary = canon::decode(state.code).value();
-      return state.scars.size() + static_cast<int>(prices.quad) * state.code.quads -
-             static_cast<int>(prices.irregularity) * support::irregularity_of(boundary) +
-             static_cast<int>(prices.simple_zone) * support::simple_zones_of(boundary);
+      return state.scars.size() + support::price_in_scars(state.code, options);
     };
     std::size_t passed_over = 0;
     for (int level = 1; level <= 10; ++level) {

@@ -16,6 +16,7 @@
 
 #include "enum/flips/symmetric_beam.hpp"
 #include "enum/quads/generate.hpp"
+#include "tests/enum/flips/small_beam.hpp"
 #include "tests/enum/support.hpp"
 #include "tests/share.hpp"
 
@@ -451,10 +452,7 @@ TEST(SymmetricBeam, QuadsIrregularityAndSimpleZonesCountAsSoManyScars) {
     options.scars_per_simple_zone = prices.simple_zone;
     flips::SymmetricBeam beam = spindle_beam(options);
     const auto cost = [&](const SymmetricState& state) {
-      const auto boundary = canon::decode(state.code).value();
-      return state.scars.size() + static_cast<int>(prices.quad) * state.code.quads -
-             static_cast<int>(prices.irregularity) * support::irregularity_of(boundary) +
-             static_cast<int>(prices.simple_zone) * support::simple_zones_of(boundary);
+      return state.scars.size() + support::price_in_scars(state.code, options);
     };
     std::size_t passed_over = 0;
     for (int level = 0; level < 14; ++level) {
