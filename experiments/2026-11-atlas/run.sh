@@ -228,7 +228,16 @@ if [[ "${1:-}" == --search ]]; then
   more_transplants=("${transplants[@]/20270501/20270601}")
   build -o swept.hxt --state swept.state --start-from hexatlas-transplants.hxt "${more_transplants[@]}" --max-hexahedra 45
   build -o transplanted.hxt --start-from swept.state swept.hxt "${more_transplants[@]}" --max-hexahedra 1 --annealed 1185 --anneal-transplant 24
-  build -o hexatlas.hxt --start-from hexatlas-transplants.hxt transplanted.hxt "${last[@]/20261126/20270602}"
+  build -o hexatlas-more-transplants.hxt --start-from hexatlas-transplants.hxt transplanted.hxt "${last[@]/20261126/20270602}"
+  # 22 quads as one file anew: two sweeps from both tables of the day, the second with exchange, then transplants for the largest.
+  anew=(--max-quads 22 --per-class 20 --irregular 1 --rounds 1 --cut 0 --collared 0 --symmetric 0 --symmetric-ball-hexahedra 0 --memory 16)
+  build -o swept-22.hxt --start-from hexatlas-more-transplants.hxt hexatlas-22.hxt "${anew[@]}" --width 3000000 --widest 24 \
+    --max-hexahedra 45 --seed 20270701 --growths 0
+  build -o swept-26.hxt --start-from hexatlas-more-transplants.hxt swept-22.hxt "${anew[@]}" --width 1000000 --widest 26 --simple-zones 30 \
+    --max-hexahedra 54 --seed 20270702 --growths 3 --annealed 120 --anneal-starts 1 --anneal-faulty 0 --anneal-cut 0 --anneal-leaps 0 \
+    --anneal-transplant 20
+  build -o hexatlas.hxt --start-from hexatlas-more-transplants.hxt swept-26.hxt "${last[@]/20261126/20270702}"
+  build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas.hxt swept-26.hxt "${last[@]/20261126/20270702}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
