@@ -1,8 +1,8 @@
-# What CLI11 reads. It is costly to compile: once, and without much optimization.
+# What CLI11 reads. It is costly to compile: once.
 add_library(command_line OBJECT
   cli/command_line.cpp cli/command_line_enum.cpp cli/command_line_mesh.cpp cli/command_line_view.cpp)
 hexatlas_share_units(command_line)
-target_compile_options(command_line PRIVATE -O1)
+target_compile_options(command_line PRIVATE ${HEXATLAS_COLDEST_OPTIONS})
 
 add_executable(hexatlas
   cli/boundary_input.cpp cli/cell_input.cpp cli/check.cpp cli/check_hybrid.cpp cli/code.cpp

@@ -36,9 +36,7 @@ Given given(const format::Table& table, const std::string& command) {
   if (is_there(manifest)) result.making.seed = format::read_manifest(manifest).seed;
   for (const format::TableRow& row : result.table.rows)
     result.making.found[row.code] = {"table", today()};
-  if (const auto census = census_beside(table))
-    for (const build::CensusRow& row : census->rows)
-      result.making.found[canon::from_text(row.code).value()] = {row.source, row.found};
+  for (const auto& [code, found] : found_in_census(table)) result.making.found[code] = found;
   return result;
 }
 

@@ -17,6 +17,7 @@
 #include "tables/build/census.hpp"
 #include "tables/build/named.hpp"
 #include "tables/build/search.hpp"
+#include "tables/fill/filled.hpp"
 
 namespace hexatlas::cli {
 namespace {
@@ -60,13 +61,10 @@ build::SearchOptions search_options(const TableBuildOptions& options) {
   return search;
 }
 
-/// How the meshes of a table were found, from the census beside it, if there is one.
 build::TableSearch::Origins origins_of(const format::Table& table) {
   build::TableSearch::Origins origins;
-  if (const auto census = census_beside(table))
-    for (const build::CensusRow& row : census->rows)
-      if (const auto code = canon::from_text(row.code))
-        origins[*code] = build::origin_named(row.source);
+  for (const auto& [code, found] : found_in_census(table))
+    origins[code] = build::origin_named(found.source);
   return origins;
 }
 
@@ -138,7 +136,6 @@ int complete_through(int max_quads, const std::vector<canon::Code>& without_mesh
   return complete < 6 ? 0 : complete;
 }
 
-/// How the meshes were found. Those that were taken over have the date of this table, too.
 std::map<canon::Code, Found> found_of(const build::TableSearch& search) {
   std::map<canon::Code, Found> result;
   const std::string date = today();
@@ -147,19 +144,45 @@ std::map<canon::Code, Found> found_of(const build::TableSearch& search) {
   return result;
 }
 
-/// What the tables that the search began with claim stays true.
-void take_over_bounds(const std::vector<std::string>& files, std::vector<format::TableRow>& rows) {
+/// Of equally small meshes the one of a table stays, with how and when it was found, and of two
+/// tables that of the first, so that what is no improvement changes nothing. What the tables claim
+/// of bounds stays true.
+class KnownRows {
+ public:
+  explicit KnownRows(std::vector<format::TableRow>& rows) : rows_(rows), is_kept_(rows.size()) {}
+
+  void keep(const format::Table& table, std::map<canon::Code, Found>& found) {
+    const std::map<canon::Code, Found> known = found_in_census(table);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      format::TableRow& row = rows_[i];
+      const auto ordinal = table.find(row.code);
+      if (!ordinal) continue;
+      const auto& entry = table.entry(*ordinal);
+      row.lower_bound = std::max(row.lower_bound, entry.lower_bound);
+      build::expect_not_refuted(table.path(), row.code, row.lower_bound, row.mesh.hexahedra.size());
+      if (is_kept_[i] || entry.hexahedra != row.mesh.hexahedra.size()) continue;
+      is_kept_[i] = true;
+      row.mesh = table.mesh(*ordinal);
+      if (const auto reason = fill::reason_against(row.mesh, row.code))
+        throw core::InvalidInput(table.path(),
+                                 "the mesh of " + canon::to_text(row.code) + ": " + *reason);
+      if (const auto at = known.find(row.code); at != known.end()) found[row.code] = at->second;
+    }
+  }
+
+ private:
+  std::vector<format::TableRow>& rows_;
+  std::vector<bool> is_kept_;
+};
+
+void keep_known(const std::vector<std::string>& files, std::vector<format::TableRow>& rows,
+                std::map<canon::Code, Found>& found) {
+  KnownRows known(rows);
   for (const std::string& file : files) {
     if (!is_there(file)) continue;  // the search was saved since
     std::string bytes = core::read_file(file);
     if (build::TableSearch::is_saved(bytes)) continue;
-    const format::Table table = format::Table::from_bytes(std::move(bytes), file);
-    for (format::TableRow& row : rows) {
-      const auto ordinal = table.find(row.code);
-      if (!ordinal) continue;
-      row.lower_bound = std::max(row.lower_bound, table.entry(*ordinal).lower_bound);
-      build::expect_not_refuted(file, row.code, row.lower_bound, row.mesh.hexahedra.size());
-    }
+    known.keep(format::Table::from_bytes(std::move(bytes), file), found);
   }
 }
 
@@ -182,10 +205,11 @@ ExitCode table_build(const TableBuildOptions& options) {
   if (without_mesh.size() > kMissingShown)
     say(fmt::format("no mesh found for {} boundaries in all", without_mesh.size()));
   NewTable made{build::table_rows(search), {}, complete_through(options.max_quads, without_mesh)};
-  take_over_bounds(options.start_from, made.rows);
+  std::map<canon::Code, Found> found = found_of(search);
+  keep_known(options.start_from, made.rows, found);
   made.names = names_among(made.rows);
   const format::Table table = write_table(
-      options.output, made, {options.command, options.search.balls.seed, found_of(search)});
+      options.output, made, {options.command, options.search.balls.seed, std::move(found)});
   print(fmt::format("{}: {} meshes, {} bytes, sha256 {}\n", options.output, table.size(),
                     table.bytes(), table.sha256()));
   return without_mesh.empty() ? ExitCode::yes : ExitCode::undecided;

@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "cli/output.hpp"
+#include "cli/table_path.hpp"
 #include "enum/core/files.hpp"
 #include "tables/format/manifest.hpp"
 
@@ -28,6 +29,14 @@ build::Census census_of(const format::Table& table, const Making& making) {
 void expect_table_writable(const std::string& path) {
   for (const std::string& file : {path, format::manifest_path(path), build::census_path(path)})
     core::expect_writable(file);
+}
+
+std::map<canon::Code, Found> found_in_census(const format::Table& table) {
+  std::map<canon::Code, Found> result;
+  if (const auto census = census_beside(table))
+    for (const build::CensusRow& row : census->rows)
+      if (const auto code = canon::from_text(row.code)) result[*code] = {row.source, row.found};
+  return result;
 }
 
 format::Table write_table(const std::string& path, const NewTable& made, const Making& making) {

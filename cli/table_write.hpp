@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "tables/build/census.hpp"
 #include "tables/format/table.hpp"
 
 namespace hexatlas::cli {
@@ -31,6 +30,9 @@ struct Making {
   std::uint64_t seed = 0;
   std::map<canon::Code, Found> found;  ///< of each row
 };
+
+/// How the meshes of a table were found, according to the census beside it, if there is one.
+[[nodiscard]] std::map<canon::Code, Found> found_in_census(const format::Table& table);
 
 /// Writes the three files. The table took the time: it stays where the others cannot be written.
 format::Table write_table(const std::string& path, const NewTable& made, const Making& making);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that a group needs and that are missing; asks nothing.
-# usage: bash cmake/packages.sh build|test
+# usage: bash cmake/packages.sh build|compile-tests|test
 set -euo pipefail
 
 build_packages=(
@@ -10,11 +10,12 @@ build_packages=(
   libcadical-dev libz3-dev libsqlite3-dev libeigen3-dev
   nodejs npm
 )
-# Tests, sanitizers and fuzzing, static analysis, and programs that read our files as a second road.
+# What the tests are compiled with.
+compile_packages=(libgtest-dev librapidcheck-dev libbenchmark-dev libcgal-dev libmpfr-dev python3 git)
+# Sanitizers and fuzzing, static analysis, and programs that read our files as a second road.
 test_packages=(
-  libgtest-dev librapidcheck-dev libbenchmark-dev libcgal-dev libmpfr-dev python3
   clang libclang-rt-14-dev libomp-14-dev clang-tidy
-  gmsh python3-vtk9 git chromium coinor-cbc
+  gmsh python3-vtk9 chromium coinor-cbc
 )
 
 die() {
@@ -24,9 +25,10 @@ die() {
 
 case ${1:-} in
   build) wanted=("${build_packages[@]}") ;;
-  test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
+  compile-tests) wanted=("${build_packages[@]}" "${compile_packages[@]}") ;;
+  test) wanted=("${build_packages[@]}" "${compile_packages[@]}" "${test_packages[@]}") ;;
   *)
-    printf 'usage: bash cmake/packages.sh build|test\n' >&2
+    printf 'usage: bash cmake/packages.sh build|compile-tests|test\n' >&2
     exit 2
     ;;
 esac

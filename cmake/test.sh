@@ -157,9 +157,18 @@ tidy() { # all|deep|changed
     bash -c 'tidy_unit "$1"' - <<<"$units"
 }
 
-step packages bash cmake/packages.sh test
+step packages bash cmake/packages.sh compile-tests
+# The larger part, which is needed to run tests only, comes while they are compiled.
+bash cmake/packages.sh test >"$results/packages-test.log" 2>&1 &
+rest_of_packages=$!
+build release && is_built=yes || is_built=no
+if ! wait "$rest_of_packages"; then
+  cat "$results/packages-test.log"
+  record packages-test failed
+  exit 1
+fi
 
-if build release; then
+if [[ $is_built == yes ]]; then
   if step headers cmake --build build/release --parallel "$jobs" \
     --target all_verify_interface_header_sets; then
     record headers passed

@@ -7,6 +7,7 @@ namespace hexatlas::core {
 namespace {
 
 constexpr double kBetweenUpdates = 0.2;
+constexpr double kBetweenPhases = 60;  // in a log
 constexpr double kLongestSilence = 600;
 constexpr double kBeforeEstimate = 2;
 
@@ -20,14 +21,13 @@ std::string in_words(double seconds) {
 }  // namespace
 
 bool Progress::is_due(bool is_new_phase, double now) noexcept {
-  if (reader_ == Reader::terminal) {
-    if (!is_new_phase && now - last_ < kBetweenUpdates) return false;
-    last_ = now;
-    return true;
-  }
   const double since = now - begin_;
-  if (since < log_after_) return false;
-  log_after_ = since + std::min(since, kLongestSilence);
+  const double silence = now - last_;
+  const bool is_terminal = reader_ == Reader::terminal;
+  const bool is_time = is_terminal ? silence >= kBetweenUpdates : since >= log_after_;
+  if (!is_time && !(is_new_phase && (is_terminal || silence >= kBetweenPhases))) return false;
+  if (is_time) log_after_ = since + std::min(since, kLongestSilence);
+  last_ = now;
   return true;
 }
 

@@ -14,11 +14,12 @@ class Progress {
  public:
   enum class Reader : std::uint8_t {
     terminal,  ///< a line that overwrites itself: at most five a second
-    log        ///< after a minute, then each time after as long again, at most ten minutes
+    log        ///< after a minute, then each time after as long again, at most ten minutes, and
+               ///< where a phase begins, if nothing was said for a minute
   };
 
   /// `now`: seconds on some clock, here and below.
-  Progress(Reader reader, double now) noexcept : reader_(reader), begin_(now) {}
+  Progress(Reader reader, double now) noexcept : reader_(reader), begin_(now), last_(now) {}
 
   /// The words to be said now, such as "cuts: 30 of 100, 12 s, about 28 s more at this pace";
   /// nullopt if it is too early. `total`: 0 if nobody knows. The pace is that of this phase, and is
@@ -31,7 +32,7 @@ class Progress {
 
   Reader reader_;
   double begin_;
-  double last_ = 0;        ///< when something was said on a terminal
+  double last_;            ///< when something was said
   double log_after_ = 60;  ///< seconds since the beginning
   // Of the phase:
   std::optional<std::string> phase_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -52,6 +53,16 @@ class SubBall {
   /// The same by one of those hexahedra that `may_take(cell)` admits.
   template <class MayTake>
   bool grow_somewhere(core::Random& random, int weight, MayTake&& may_take);
+  /// Grows like that to so many hexahedra. Returns whether it came to them.
+  bool grow_to(std::size_t size, core::Random& random, int weight) {
+    return grow_to(size, random, weight, [](std::uint32_t) { return true; });
+  }
+  template <class MayTake>
+  bool grow_to(std::size_t size, core::Random& random, int weight, MayTake&& may_take) {
+    while (cells_.size() < size)
+      if (!grow_somewhere(random, weight, may_take)) return false;
+    return true;
+  }
 
   [[nodiscard]] bool contains(std::uint32_t cell) const noexcept { return inside_[cell]; }
   /// In the order in which they were added.

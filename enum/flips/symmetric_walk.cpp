@@ -57,9 +57,7 @@ bool SymmetricWalk::grow_apart() {
   const auto is_apart = [&](std::uint32_t cell) {
     return !is_own_image(cell) && !ball_.contains(image[cell]);
   };
-  while (ball_.cells().size() < size)
-    if (!ball_.grow_somewhere(random_, weight, is_apart)) return false;
-  return true;
+  return ball_.grow_to(size, random_, weight, is_apart);
 }
 
 /// Grows a ball that is its own image. Returns whether it came to its size.

@@ -31,13 +31,6 @@ Walk::Walk(HexComplex mesh, int quads, const Beam& balls, std::uint64_t seed, in
       ball_(mesh_, neighbours_, 0, widest_on_the_way(balls)),
       faults_(faults) {}
 
-/// Grows a ball somewhere. Returns whether it came to that size.
-bool Walk::grow_to(std::size_t size, int weight) {
-  while (ball_.cells().size() < size)
-    if (!ball_.grow_somewhere(random_, weight)) return false;
-  return true;
-}
-
 bool Walk::exchange(const Climate& climate, BallLayers& layers, std::optional<Leap> leap) {
   if (ball_.quads() > balls_.options().max_quads) return false;
   const auto drawn = draw(ball_, balls_, climate, leap, random_, sums_);
@@ -56,7 +49,7 @@ bool Walk::step(const Climate& climate, BallLayers& layers) {
   ball_.restart(static_cast<std::uint32_t>(random_.below(mesh_.hexahedra.size())));
   const std::size_t size = size_of_exchange(random_);
   const int weight = static_cast<int>(random_.below(5));
-  return grow_to(size, weight) && exchange(climate, layers, std::nullopt);
+  return ball_.grow_to(size, random_, weight) && exchange(climate, layers, std::nullopt);
 }
 
 bool Walk::leap(const Climate& climate, BallLayers& layers, int tries, Leap kind) {
@@ -66,7 +59,7 @@ bool Walk::leap(const Climate& climate, BallLayers& layers, int tries, Leap kind
     ball_.restart(static_cast<std::uint32_t>(random_.below(all)));
     const std::size_t size = least + random_.below(all - least);
     const int weight = 1 + static_cast<int>(random_.below(8));
-    (void)grow_to(size, weight);  // whatever size it came to
+    (void)ball_.grow_to(size, random_, weight);  // whatever size it came to
     if (exchange(climate, layers, kind)) return true;
   }
   return false;

@@ -110,7 +110,6 @@ class Walk {
   [[nodiscard]] int faults() const noexcept { return faults_; }
 
  private:
-  bool grow_to(std::size_t size, int weight);
   bool exchange(const Climate& climate, BallLayers& layers, std::optional<Leap> leap);
 
   complex::HexComplex mesh_;

@@ -216,8 +216,9 @@ if [[ "${1:-}" == --search ]]; then
     --symmetric-hexahedra 1 --symmetric-ball-hexahedra 0
   build -o hexatlas-wide-collars.hxt --start-from hexatlas-simple.hxt swept.hxt "${last[@]/20261126/20270401}"
   # Transplants, with the balls of such a sweep from another seed: for those with 50 hexahedra and more, then for those with 47 and more (stopped after 27 CPU minutes).
+  only_transplants=(--anneal-starts 1 --anneal-faulty 0 --anneal-cut 0 --anneal-leaps 0)
   transplants=(--width 1000000 --per-class 20 --widest 26 --irregular 1 --simple-zones 30 --seed 20270501 --memory 12 --rounds 1 --growths 0 --cut 0
-    --symmetric 0 --symmetric-ball-hexahedra 0 --collared 0 --anneal-starts 1 --anneal-faulty 0 --anneal-cut 0 --anneal-leaps 0)
+    --symmetric 0 --symmetric-ball-hexahedra 0 --collared 0 "${only_transplants[@]}")
   build -o swept.hxt --state swept.state --start-from hexatlas-wide-collars.hxt "${transplants[@]}" --max-hexahedra 45
   build -o fifty.hxt --start-from swept.state hexatlas-wide-collars.hxt "${transplants[@]}" --max-hexahedra 1 \
     --annealed 141 --anneal-transplant 60
@@ -234,8 +235,7 @@ if [[ "${1:-}" == --search ]]; then
   build -o swept-22.hxt --start-from hexatlas-more-transplants.hxt hexatlas-22.hxt "${anew[@]}" --width 3000000 --widest 24 \
     --max-hexahedra 45 --seed 20270701 --growths 0
   build -o swept-26.hxt --start-from hexatlas-more-transplants.hxt swept-22.hxt "${anew[@]}" --width 1000000 --widest 26 --simple-zones 30 \
-    --max-hexahedra 54 --seed 20270702 --growths 3 --annealed 120 --anneal-starts 1 --anneal-faulty 0 --anneal-cut 0 --anneal-leaps 0 \
-    --anneal-transplant 20
+    --max-hexahedra 54 --seed 20270702 --growths 3 --annealed 120 "${only_transplants[@]}" --anneal-transplant 20
   build -o hexatlas.hxt --start-from hexatlas-more-transplants.hxt swept-26.hxt "${last[@]/20261126/20270702}"
   build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas.hxt swept-26.hxt "${last[@]/20261126/20270702}"
 fi

@@ -4,11 +4,13 @@ beside them, and tells before the search what would be in vain; a build that is 
 nothing.
 Oracle. A second build; hashlib; the signals are sent from here.
 """
+import contextlib
 import hashlib
 import itertools
 import json
 import os
 import signal
+import sqlite3
 import subprocess
 import time
 
@@ -60,6 +62,28 @@ class Build(program.ProgramTest):
         self.write("d.hxt", b"neither a table nor a search")
         self.expect_fault(self.hexatlas("table", "build", "-o", "c.hxt", "--start-from", "d.hxt"),
                           "d.hxt")
+
+    def rows(self, name):
+        """Of each boundary of at most 12 quads: hexahedra, how and when they were found, and the mesh."""
+        census = contextlib.closing(sqlite3.connect(self.path(name.replace(".hxt", ".census.sqlite"))))
+        with census as database:
+            rows = database.execute("SELECT code, hexahedra, source, found FROM census WHERE quads <= 12")
+            return {code: (*row, json.loads(self.expect(0, self.hexatlas(
+                "table", "get", "--table", name, "--code", code)).out)["cells"]) for code, *row in rows}
+
+    def test_of_equal_meshes_those_of_the_first_table_stay(self):
+        # The search finds most of these small meshes itself, in an order of its own.
+        small = ("--max-quads", "12", *QUICK[4:], "--width", "1000", "--max-hexahedra", "6", "--cut", "0")
+        self.hexatlas("table", "build", "-o", "own.hxt", *small, env={"SOURCE_DATE_EPOCH": "0"})
+        rows = {name: self.rows(name) for name in ("own.hxt", SHIPPED)}
+        self.assertEqual({row[2] for row in rows["own.hxt"].values()}, {"1970-01-01"})
+        equal = [code for code, own in rows["own.hxt"].items() if own[0] == rows[SHIPPED][code][0]]
+        self.assertTrue(any(rows["own.hxt"][code][-1] != rows[SHIPPED][code][-1] for code in equal))
+        for names in (("own.hxt", SHIPPED), (SHIPPED, "own.hxt")):
+            self.expect(0, self.hexatlas("table", "build", "-o", "both.hxt", *small, "--start-from", *names))
+            for code, both in self.rows("both.hxt").items():
+                known = [rows[name][code] for name in names if code in rows[name]]
+                self.assertEqual(both, min(known, key=lambda row: row[0]), code)
 
     def test_manifest(self):
         ran = self.build("small.hxt", "--seed", "5")
@@ -189,7 +213,7 @@ class Build(program.ProgramTest):
                           "--per-class", "5", "--cut", "1", "--cuts-each", "1", "--seed", seed,
                           "--annealed", boundaries, "--anneal-starts", "2", "--anneal-rounds", "20",
                           "--anneal-leaps", "2", "--anneal-faulty", "3", "--anneal-cut", "3", "--anneal-transplant", "3",
-                          "--collar-width", "300", "--symmetric-width", "100")
+                          "--collar-width", "300", "--symmetric-width", "100", "--symmetric-ball-hexahedra", "8")
             ran = self.expect(0, self.hexatlas("table", "get", "--table", "a.hxt", "--code", code))
             found[boundaries].append(json.loads(ran.out)["hexahedra"])
         self.assertTrue(all(a <= b for a, b in zip(found["1"], found["0"])), found)

@@ -315,6 +315,7 @@ class Refusals(program.ProgramTest):
 
 
 @unittest.skipUnless(CHROMIUM, "there is no Chromium")
+@unittest.skipIf(program.SANITIZED, "the browser runs the same page of the other build")
 class InBrowser(program.ProgramTest):
     def setUp(self):
         super().setUp()

@@ -26,6 +26,19 @@ TEST(Progress, ToldToALogIsRareAndNeverSilentForMoreThanTenMinutes) {
   EXPECT_EQ(said, (std::vector{60, 120, 240, 480, 960, 1560, 2160, 2760, 3360}));
 }
 
+TEST(Progress, NamesEachPhaseInALogUnlessSomethingWasSaidWithinAMinute) {
+  Progress progress(Reader::log, 1000);
+  EXPECT_EQ(progress.update("sweep", 0, 2, 1000), std::nullopt);
+  ASSERT_TRUE(progress.update("sweep", 1, 2, 1240));
+  EXPECT_EQ(progress.update("cuts", 0, 9, 1299), std::nullopt);
+  EXPECT_EQ(progress.update("collars", 0, 7, 1300), "collars: 0 of 7, 0 s");
+  EXPECT_EQ(progress.update("collars", 1, 7, 1400), std::nullopt);
+  EXPECT_EQ(progress.update("annealing", 0, 5, 1400), "annealing: 0 of 5, 0 s");
+  // What is said of phases puts off nothing else.
+  EXPECT_EQ(progress.update("annealing", 1, 5, 1480),
+            "annealing: 1 of 5, 80 s, about 5 min more at this pace");
+}
+
 TEST(Progress, EstimatesWhatIsLeftFromThePaceOfThePhase) {
   Progress progress(Reader::terminal, 0);
   // A search that goes on began at 500 of 1,000: its pace is that of what it did since.

@@ -1,1 +1,1 @@
-hexatlas_tests(enum_core fast SOURCES files_test.cpp progress_test.cpp rank_test.cpp USES enum_core)
+hexatlas_tests(enum_core fast SHORT SOURCES files_test.cpp progress_test.cpp rank_test.cpp USES enum_core)

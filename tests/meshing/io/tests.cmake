@@ -1,4 +1,4 @@
-hexatlas_tests(meshing_io fast
+hexatlas_tests(meshing_io fast SHORT
   SOURCES hybrid_test.cpp malformed_gmsh_test.cpp malformed_test.cpp malformed_vtk_test.cpp mutations_test.cpp
     paths_test.cpp ply_test.cpp points_test.cpp prefixes_test.cpp read_test.cpp replay_test.cpp round_trip_test.cpp
     tetrahedra_test.cpp

@@ -1,1 +1,1 @@
-hexatlas_tests(realize_chirotope fast SOURCES chirotope_test.cpp USES realize_chirotope)
+hexatlas_tests(realize_chirotope fast SHORT SOURCES chirotope_test.cpp USES realize_chirotope)

@@ -228,7 +228,7 @@ TEST(TableSearch, ExchangesMeshesBesideTheBeamToo) {
   const auto codes = build::three_connected_codes(14);
   build::SearchOptions options = small(1);
   options.balls.max_quads = 14;
-  options.rounds = 3;
+  options.rounds = support::kSanitized ? 1 : 3;
   options.growths = 100;
   options.cut = 60;
   options.cut_interior = 6;
