@@ -31,6 +31,8 @@ void add_seed(CLI::App& command, std::uint64_t& seed);
 void add_mesh(CLI::App& app, Action& action);
 void add_simplify(CLI::App& app, Action& action);
 void add_view(CLI::App& app, Action& action);
+/// `command_line`: what manifests say of how a table was made.
+void add_table(CLI::App& app, Action& action, const std::string& command_line);
 void add_enum(CLI::App& app, Action& action);
 void add_realize(CLI::App& app, Action& action);
 void add_reproduce(CLI::App& app, Action& action);

@@ -1,6 +1,7 @@
 # What CLI11 reads. It is costly to compile: once.
 add_library(command_line OBJECT
-  cli/command_line.cpp cli/command_line_enum.cpp cli/command_line_mesh.cpp cli/command_line_view.cpp)
+  cli/command_line.cpp cli/command_line_enum.cpp cli/command_line_mesh.cpp cli/command_line_table.cpp
+  cli/command_line_view.cpp)
 hexatlas_share_units(command_line)
 target_compile_options(command_line PRIVATE ${HEXATLAS_COLDEST_OPTIONS})
 
