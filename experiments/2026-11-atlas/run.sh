@@ -231,13 +231,18 @@ if [[ "${1:-}" == --search ]]; then
   build -o transplanted.hxt --start-from swept.state swept.hxt "${more_transplants[@]}" --max-hexahedra 1 --annealed 1185 --anneal-transplant 24
   build -o hexatlas-more-transplants.hxt --start-from hexatlas-transplants.hxt transplanted.hxt "${last[@]/20261126/20270602}"
   # 22 quads as one file anew: two sweeps from both tables of the day, the second with exchange, then transplants for the largest.
-  anew=(--max-quads 22 --per-class 20 --irregular 1 --rounds 1 --cut 0 --collared 0 --symmetric 0 --symmetric-ball-hexahedra 0 --memory 16)
+  anew=(--max-quads 22 --per-class 20 --irregular 1 --rounds 1 --cut 0 --symmetric 0 --symmetric-ball-hexahedra 0 --memory 16)
   build -o swept-22.hxt --start-from hexatlas-more-transplants.hxt hexatlas-22.hxt "${anew[@]}" --width 3000000 --widest 24 \
-    --max-hexahedra 45 --seed 20270701 --growths 0
+    --max-hexahedra 45 --seed 20270701 --growths 0 --collared 0
   build -o swept-26.hxt --start-from hexatlas-more-transplants.hxt swept-22.hxt "${anew[@]}" --width 1000000 --widest 26 --simple-zones 30 \
-    --max-hexahedra 54 --seed 20270702 --growths 3 --annealed 120 "${only_transplants[@]}" --anneal-transplant 20
+    --max-hexahedra 54 --seed 20270702 --growths 3 --collared 0 --annealed 120 "${only_transplants[@]}" --anneal-transplant 20
   build -o hexatlas.hxt --start-from hexatlas-more-transplants.hxt swept-26.hxt "${last[@]/20261126/20270702}"
   build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas.hxt swept-26.hxt "${last[@]/20261126/20270702}"
+  # Another one of 24 quads, with collars for the largest; dates.py has dated the census of the table of that day.
+  build -o collared-24.hxt --start-from hexatlas.hxt hexatlas-22.hxt "${anew[@]}" --width 2500000 --widest 24 --max-hexahedra 54 \
+    --seed 20270801 --growths 0 --collared 40000 --collar-hexahedra 9 --collar-width 600 --collar-widest 24
+  build -o hexatlas-now.hxt --start-from hexatlas.hxt collared-24.hxt "${last[@]/20261126/20270801}"
+  build -o hexatlas-22-now.hxt --max-quads 22 --start-from hexatlas-now.hxt hexatlas-22.hxt collared-24.hxt "${last[@]/20261126/20270801}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys
