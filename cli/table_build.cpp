@@ -149,10 +149,12 @@ std::map<canon::Code, Found> found_of(const build::TableSearch& search) {
 /// of bounds stays true.
 class KnownRows {
  public:
-  explicit KnownRows(std::vector<format::TableRow>& rows) : rows_(rows), is_kept_(rows.size()) {}
+  KnownRows(std::vector<format::TableRow>& rows, int threads)
+      : rows_(rows), is_kept_(rows.size()), threads_(threads) {}
 
   void keep(const format::Table& table, std::map<canon::Code, Found>& found) {
     const std::map<canon::Code, Found> known = found_in_census(table);
+    std::vector<std::size_t> equal;  // rows
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       format::TableRow& row = rows_[i];
       const auto ordinal = table.find(row.code);
@@ -162,22 +164,27 @@ class KnownRows {
       build::expect_not_refuted(table.path(), row.code, row.lower_bound, row.mesh.hexahedra.size());
       if (is_kept_[i] || entry.hexahedra != row.mesh.hexahedra.size()) continue;
       is_kept_[i] = true;
-      row.mesh = table.mesh(*ordinal);
+      equal.push_back(i);
+      if (const auto at = known.find(row.code); at != known.end()) found[row.code] = at->second;
+    }
+    parallel::parallel_for(threads_, equal.size(), [&](std::size_t k) {
+      format::TableRow& row = rows_[equal[k]];
+      row.mesh = table.mesh(table.find(row.code).value());
       if (const auto reason = fill::reason_against(row.mesh, row.code))
         throw core::InvalidInput(table.path(),
                                  "the mesh of " + canon::to_text(row.code) + ": " + *reason);
-      if (const auto at = known.find(row.code); at != known.end()) found[row.code] = at->second;
-    }
+    });
   }
 
  private:
   std::vector<format::TableRow>& rows_;
   std::vector<bool> is_kept_;
+  int threads_;
 };
 
-void keep_known(const std::vector<std::string>& files, std::vector<format::TableRow>& rows,
-                std::map<canon::Code, Found>& found) {
-  KnownRows known(rows);
+void keep_known(const std::vector<std::string>& files, int threads,
+                std::vector<format::TableRow>& rows, std::map<canon::Code, Found>& found) {
+  KnownRows known(rows, threads);
   for (const std::string& file : files) {
     if (!is_there(file)) continue;  // the search was saved since
     std::string bytes = core::read_file(file);
@@ -206,7 +213,7 @@ ExitCode table_build(const TableBuildOptions& options) {
     say(fmt::format("no mesh found for {} boundaries in all", without_mesh.size()));
   NewTable made{build::table_rows(search), {}, complete_through(options.max_quads, without_mesh)};
   std::map<canon::Code, Found> found = found_of(search);
-  keep_known(options.start_from, made.rows, found);
+  keep_known(options.start_from, search.balls().options().threads, made.rows, found);
   made.names = names_among(made.rows);
   const format::Table table = write_table(
       options.output, made, {options.command, options.search.balls.seed, std::move(found)});
