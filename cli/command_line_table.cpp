@@ -11,6 +11,17 @@
 namespace hexatlas::cli {
 namespace {
 
+void add_save_every(CLI::App& command, int& seconds) {
+  command.add_option("--save-every", seconds, "Seconds between two saves, at least")
+      ->check(CLI::Range(0, 86'400))
+      ->capture_default_str();
+}
+
+void expect_file(const std::string& output) {
+  if (output.empty() || output == "-")
+    throw CLI::ValidationError("--output", "a table and its manifest need the name of a file");
+}
+
 void add_table_readers(CLI::App& table, Action& action) {
   auto* info = table.add_subcommand("info", "What a table holds");
   auto info_options = std::make_shared<TableInfoOptions>();
@@ -86,15 +97,12 @@ void add_table_bounds(CLI::App& table, Action& action, const std::string& comman
                      "Boundaries, by name or canonical code; all others are left as they are");
   bounds->add_option("--max-nodes", options->max_nodes, "Of the searches for one boundary")
       ->check(CLI::PositiveNumber);
-  bounds->add_option("--save-every", options->save_every, "Seconds between two saves, at least")
-      ->check(CLI::Range(0, 86'400))
-      ->capture_default_str();
+  add_save_every(*bounds, options->save_every);
   bounds->add_flag("--json", options->json, "Print one JSON object");
   add_threads(*bounds, options->threads);
   bounds->footer(example("hexatlas table bounds my.hxt -o my.hxt --max-hexes 10"));
   bounds->callback([options, &action] {
-    if (options->output.empty() || options->output == "-")
-      throw CLI::ValidationError("--output", "a table and its manifest need the name of a file");
+    expect_file(options->output);
     action = [options] { return table_bounds(*options); };
   });
 }
@@ -246,9 +254,7 @@ void add_table_build(CLI::App& table, Action& action, const std::string& command
       "Begin a new search with what others found: the file of one saved with --state, which may "
       "have been for other boundaries, and any number of tables (.hxt); of equally small meshes "
       "those of the first table stay");
-  build->add_option("--save-every", options->save_every, "Seconds between two saves, at least")
-      ->check(CLI::Range(0, 86'400))
-      ->capture_default_str();
+  add_save_every(*build, options->save_every);
   const Effort effort(*build);
   build::SearchOptions& search = options->search;
   add_sweep(effort, search);
@@ -262,8 +268,7 @@ void add_table_build(CLI::App& table, Action& action, const std::string& command
   build->footer(
       example("hexatlas table build -o my.hxt --max-quads 14 --width 20000 --state my.state"));
   build->callback([options, &action] {
-    if (options->output.empty() || options->output == "-")
-      throw CLI::ValidationError("--output", "a table and its manifest need the name of a file");
+    expect_file(options->output);
     action = [options] { return table_build(*options); };
   });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
@@ -154,7 +155,7 @@ class KnownRows {
 
   void keep(const format::Table& table, std::map<canon::Code, Found>& found) {
     const std::map<canon::Code, Found> known = found_in_census(table);
-    std::vector<std::size_t> equal;  // rows
+    std::vector<std::pair<std::size_t, std::size_t>> equal;  // of the rows, of the table
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       format::TableRow& row = rows_[i];
       const auto ordinal = table.find(row.code);
@@ -164,15 +165,12 @@ class KnownRows {
       build::expect_not_refuted(table.path(), row.code, row.lower_bound, row.mesh.hexahedra.size());
       if (is_kept_[i] || entry.hexahedra != row.mesh.hexahedra.size()) continue;
       is_kept_[i] = true;
-      equal.push_back(i);
+      equal.emplace_back(i, *ordinal);
       if (const auto at = known.find(row.code); at != known.end()) found[row.code] = at->second;
     }
     parallel::parallel_for(threads_, equal.size(), [&](std::size_t k) {
-      format::TableRow& row = rows_[equal[k]];
-      row.mesh = table.mesh(table.find(row.code).value());
-      if (const auto reason = fill::reason_against(row.mesh, row.code))
-        throw core::InvalidInput(table.path(),
-                                 "the mesh of " + canon::to_text(row.code) + ": " + *reason);
+      const auto [row, ordinal] = equal[k];
+      rows_[row].mesh = fill::mesh_in(table, ordinal, table.path());
     });
   }
 

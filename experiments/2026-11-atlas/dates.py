@@ -12,7 +12,6 @@ import os
 import sqlite3
 import subprocess
 import sys
-import tempfile
 
 SHIPPED = "tables/data/hexatlas.census.sqlite"
 NUMBERS = "quads, automorphisms, rotations, hexahedra, interior_vertices, lower_bound"
@@ -25,12 +24,9 @@ def git(*words):
 
 def sizes_of(census):
     """Hexahedra and date of each boundary, by code."""
-    with tempfile.NamedTemporaryFile(suffix=".sqlite") as file:
-        file.write(census)
-        file.flush()
-        database = sqlite3.connect(file.name)
-        rows = database.execute("SELECT code, hexahedra, found FROM census").fetchall()
-        database.close()
+    database = sqlite3.connect(":memory:")
+    database.deserialize(census)
+    rows = database.execute("SELECT code, hexahedra, found FROM census")
     return {code: (hexahedra, found) for code, hexahedra, found in rows}
 
 

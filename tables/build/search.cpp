@@ -144,9 +144,7 @@ std::size_t TableSearch::take_over(const format::Table& table, const std::string
     const canon::Code& code = targets_[i];
     const auto ordinal = table.find(code);
     if (!ordinal || static_cast<int>(table.entry(*ordinal).hexahedra) >= hexahedra(code)) return;
-    complex::HexComplex mesh = table.mesh(*ordinal);
-    if (const auto reason = fill::reason_against(mesh, code))
-      throw core::InvalidInput(name, "the mesh of " + canon::to_text(code) + ": " + *reason);
+    complex::HexComplex mesh = fill::mesh_in(table, *ordinal, name);
     auto shelled = flips::in_shelling_order(mesh, kShellings, seed_for(code));
     const bool is_shelled = shelled.has_value();
     const auto origin = origins.find(code);

@@ -27,4 +27,13 @@ void ensure_fills(const complex::HexComplex& mesh, const canon::Code& code) {
                               " breaks a law: " + *reason);
 }
 
+complex::HexComplex mesh_in(const format::Table& table, std::size_t ordinal,
+                            const std::string& name) {
+  complex::HexComplex mesh = table.mesh(ordinal);
+  const canon::Code code = table.entry(ordinal).code;
+  if (const auto reason = reason_against(mesh, code))
+    throw core::InvalidInput(name, "the mesh of " + canon::to_text(code) + ": " + *reason);
+  return mesh;
+}
+
 }  // namespace hexatlas::fill

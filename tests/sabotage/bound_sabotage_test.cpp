@@ -136,7 +136,7 @@ TEST(BoundSabotage, LogsOfSearchesAreAccepted) {
 }
 
 TEST(BoundSabotage, SearchesUseAllRules) {
-  if (support::kSanitized) GTEST_SKIP() << "this is about the oracle";
+  if (support::kSanitized) GTEST_SKIP() << "of the oracle alone, which the other builds look at";
   std::map<int, int> used;
   const BoundText text = limited(pyramid(), true, 9, 11, true);
   SlowBound search(text);
