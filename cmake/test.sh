@@ -19,7 +19,8 @@ export ASAN_OPTIONS=${ASAN_OPTIONS:-malloc_context_size=1:quarantine_size_mb=1:t
 # Several tests run at once: threads that wait must not keep a processor busy.
 export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
 
-say() { printf '\n== %s\n' "$*"; }
+# With the time since the beginning, so that one sees where it goes.
+say() { printf '\n== %d:%02d %s\n' $((SECONDS / 60)) $((SECONDS % 60)) "$*"; }
 
 # A step that fails outside a test program is one failed test of that name.
 record() { # NAME failed|passed

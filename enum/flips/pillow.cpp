@@ -7,7 +7,6 @@ namespace hexatlas::flips {
 namespace {
 
 using Patch = Peeling::Patch;
-using Prism = Peeling::Prism;
 using VertexId = Peeling::VertexId;
 
 /// Goes from the rim inwards, or from the first quad on, such that what is left always consists of
@@ -27,7 +26,7 @@ class Layer {
       if (!covered_.has(quad) || !peeling_.is_live(quad)) continue;
       const std::optional<Patch> patch = patch_at(quad);
       if (!patch) continue;  // comes up again when a quad beside it is taken
-      Prism prism;
+      Peeling::Prism prism;
       if (!peeling_.may_take(*patch, prism)) break;
       for (unsigned i = 0; i < 4; ++i) {
         touched_.add(prism.bottom[i]);

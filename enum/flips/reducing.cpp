@@ -13,7 +13,6 @@ namespace hexatlas::flips {
 namespace {
 
 using Patch = Peeling::Patch;
-using Prism = Peeling::Prism;
 
 /// Sets of sides by how many quads their flips add: one side adds two; two sides keep the number;
 /// three take two away, and four take four.
@@ -71,7 +70,7 @@ class Reducer {
 
   void apply() {
     for (const Patch& patch : best_) {
-      Prism prism;
+      Peeling::Prism prism;
       core::expects(peeling_.may_take(patch, prism), "a sequence that was found can be repeated");
       peeling_.take(patch, prism);
     }
@@ -123,7 +122,7 @@ class Reducer {
     const bool is_most = patch.sides == kReducing.back();
     if (has_grown_ && !is_most) return;
     if (looks_ > options_.looks || !(best_.empty() || (is_most && !best_is_most_))) return;
-    Prism prism;
+    Peeling::Prism prism;
     ++looks_;
     if (!peeling_.may_take(patch, prism)) return;
     best_ = now_;
@@ -133,7 +132,7 @@ class Reducer {
 
   void go_on_with(Patch patch, std::size_t left) {
     if (looks_ > options_.looks) return;
-    Prism prism;
+    Peeling::Prism prism;
     ++looks_;
     if (!peeling_.may_take(patch, prism)) return;
     now_.push_back(patch);
