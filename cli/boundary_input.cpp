@@ -1,9 +1,14 @@
 #include "cli/boundary_input.hpp"
 
-#include <optional>
+#include <fmt/format.h>
 
+#include <optional>
+#include <vector>
+
+#include "cli/output.hpp"
 #include "cli/table_path.hpp"
 #include "enum/canon/code.hpp"
+#include "enum/complex/quad_surface.hpp"
 #include "enum/core/errors.hpp"
 #include "meshing/hexahedrize/hexahedrize.hpp"
 #include "meshing/hexahedrize/small_form.hpp"
@@ -28,25 +33,45 @@ canon::Code code_from(const std::string& text) {
       text, "is no name of a boundary, no code, and no file; `hexatlas table info` lists names");
 }
 
-}  // namespace
-
-void expect_canonical(const std::string& word, const complex::Quadrangulation& boundary) {
-  const std::string code = canon::to_text(canon::canonical_form(boundary).code);
-  if (word != code)
-    throw core::InvalidInput(word, "is not canonical; the code of this boundary is " + code);
+/// As complex::reason_against_filling says it, for words whose graph need not be simple.
+std::optional<std::string> reason_against_filling(const complex::Quadrangulation& boundary) {
+  const std::vector<complex::QuadVertices> quads = boundary.list_of_quads();
+  const bool is_even = quads.size() % 2 == 0;
+  if (const auto law = complex::broken_law(quads); law && is_even)
+    return "the boundary is not 3-connected: " + law->reason;
+  complex::QuadSphere sphere;
+  for (const auto& quad : quads) sphere.quads.push_back({quad[0], quad[1], quad[2], quad[3]});
+  for (int v = 0; v < boundary.vertices(); ++v)
+    sphere.point_of.push_back(static_cast<complex::VertexId>(v));
+  return complex::reason_against_filling(sphere);
 }
 
-NamedBoundary boundary_from(const std::string& name_code_or_file) {
-  const canon::Code code = code_from(name_code_or_file);
+/// The boundary of a code, called `shown` in what is said of it.
+std::optional<NamedBoundary> fillable(const std::string& shown, const canon::Code& code) {
   const auto boundary = canon::decode(code);
-  if (!boundary) throw core::InvalidInput(name_code_or_file, "is no code of a quadrangulation");
-  const std::string word = canon::to_text(code);
-  expect_canonical(word, *boundary);
-  if (boundary->quads() % 2 != 0)
-    throw core::InvalidInput(name_code_or_file, "has an odd number of quads, so there is no mesh");
-  if (!boundary->is_three_connected())
-    throw core::InvalidInput(name_code_or_file, "is not 3-connected, so there is no mesh");
-  return {word, *boundary};
+  if (!boundary)
+    throw core::InvalidInput(shown,
+                             "is no code of a quadrangulation; `hexatlas code SURFACE` gives one");
+  if (const auto reason = reason_against_filling(*boundary)) {
+    say(fmt::format("{}: no hexahedral mesh exists: {}", shown, *reason));
+    return std::nullopt;
+  }
+  const canon::Code canonical = canon::canonical_form(*boundary).code;
+  if (canonical != code)
+    throw core::InvalidInput(
+        shown, "is not canonical; the code of this boundary is " + canon::to_text(canonical));
+  return NamedBoundary{canon::to_text(code), *boundary};
+}
+
+}  // namespace
+
+std::optional<NamedBoundary> boundary_from(const std::string& name_code_or_file) {
+  return fillable(name_code_or_file, code_from(name_code_or_file));
+}
+
+std::optional<NamedBoundary> boundary_of_code(const std::string& word) {
+  const auto code = canon::from_text(word);
+  return fillable(word, code ? *code : canon::Code{});
 }
 
 }  // namespace hexatlas::cli

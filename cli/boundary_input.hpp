@@ -2,6 +2,7 @@
 /// \file
 /// A boundary named on the command line, or read from a surface file.
 
+#include <optional>
 #include <string>
 
 #include "enum/complex/quadrangulation.hpp"
@@ -13,12 +14,12 @@ struct NamedBoundary {
   complex::Quadrangulation boundary{};  ///< in canonical labels
 };
 
-/// A name of build::kNamedBoundaries, a canonical code, or a surface file of quads. Throws
-/// InvalidInput: none of these, not canonical, more than 64 quads, not 3-connected or odd, so that
-/// there is no mesh.
-[[nodiscard]] NamedBoundary boundary_from(const std::string& name_code_or_file);
+/// A name of build::kNamedBoundaries, a canonical code, or a surface file of quads; nullopt, and
+/// said why, if it is proven to have no mesh: not 3-connected, or an odd number of quads.
+/// Throws InvalidInput: none of these, not canonical, more than 64 quads.
+[[nodiscard]] std::optional<NamedBoundary> boundary_from(const std::string& name_code_or_file);
 
-/// Throws InvalidInput unless `word` is the canonical code of the boundary that it stands for.
-void expect_canonical(const std::string& word, const complex::Quadrangulation& boundary);
+/// The same for codes only.
+[[nodiscard]] std::optional<NamedBoundary> boundary_of_code(const std::string& word);
 
 }  // namespace hexatlas::cli

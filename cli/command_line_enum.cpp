@@ -41,19 +41,13 @@ void add_triangulations(CLI::App& parent, Action& action) {
   command
       ->add_option("--max-nodes", options->max_nodes,
                    "Stop after about this many nodes; the counts then are lower bounds")
-      ->check(CLI::PositiveNumber)
+      ->check(at_least_one())
       ->excludes(spheres);
   add_threads(*command, options->threads);
   command->footer("Exit code 4 if the search did not end.\n" +
                   example("hexatlas enum triangulations hexahedron -o hexahedron.hxc"));
   command->callback(
       [options, &action] { action = [options] { return enum_triangulations(*options); }; });
-}
-
-CLI::Option* add_shard(CLI::App& command, std::string& shard, const char* help) {
-  return command.add_option("--shard", shard, help)->check([](const std::string& text) {
-    return shard_from(text) ? std::string() : "must be R/M with 0 <= R < M <= 1000000";
-  });
 }
 
 void add_quadrangulations(CLI::App& parent, Action& action) {
@@ -117,7 +111,7 @@ void add_hexmeshes(CLI::App& parent, Action& action) {
   auto* nodes = command
                     ->add_option("--max-nodes", options->max_nodes,
                                  "Stop after so many nodes; the counts then are lower bounds")
-                    ->check(CLI::PositiveNumber);
+                    ->check(at_least_one());
   auto* estimate = command->add_option("--estimate", options->probes,
                                        "Do not search: estimate the nodes by so many probes");
   estimate->check(CLI::Range(2, 1000000000));

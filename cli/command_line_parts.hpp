@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "cli/commands.hpp"
@@ -18,11 +19,23 @@ using Action = std::function<ExitCode()>;
   return "Example:\n  " + text + "\n";
 }
 
+/// A number of things of which there is no most.
+[[nodiscard]] inline CLI::Range at_least_one() {
+  return {std::uint64_t{1}, std::numeric_limits<std::uint64_t>::max(), "a number above 0"};
+}
+
 inline void add_threads(CLI::App& command, int& threads) {
   command
       .add_option("-j,--threads", threads,
                   "Threads [all processors]; the result does not depend on it")
       ->check(CLI::Range(1, 1024));
+}
+
+/// The option --shard, checked to be as for shard_from().
+inline CLI::Option* add_shard(CLI::App& command, std::string& shard, const char* help) {
+  return command.add_option("--shard", shard, help)->check([](const std::string& text) {
+    return shard_from(text) ? std::string() : "must be R/M with 0 <= R < M <= 1000000";
+  });
 }
 
 /// The option --seed. CLI11's own conversion of a word would take "010" for eight.

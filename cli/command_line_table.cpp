@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <tuple>
 
 #include "cli/command_line_parts.hpp"
+#include "cli/mesh_output.hpp"
+#include "cli/table_write.hpp"
 #include "enum/flips/scars.hpp"
 
 namespace hexatlas::cli {
@@ -18,8 +21,18 @@ void add_save_every(CLI::App& command, int& seconds) {
 }
 
 void expect_file(const std::string& output) {
-  if (output.empty() || output == "-")
-    throw CLI::ValidationError("--output", "a table and its manifest need the name of a file");
+  if (std::filesystem::path(output).extension() != ".hxt")
+    throw CLI::ValidationError(
+        "--output", "must end in .hxt, so that its manifest and its census are no other table's");
+}
+
+/// A state in the place of the table, or of what lies beside it, would be lost.
+void expect_apart(const std::string& state, const std::string& output) {
+  if (state.empty()) return;
+  if (state == "-") throw CLI::ValidationError("--state", "needs the name of a file");
+  for (const std::string& file : table_files(output))
+    if (is_same_output(state, file))
+      throw CLI::ValidationError("--state", "is a file of the table, " + file);
 }
 
 void add_table_readers(CLI::App& table, Action& action) {
@@ -56,6 +69,21 @@ void add_table_readers(CLI::App& table, Action& action) {
     action = [get_options] { return table_get(*get_options); };
   });
 
+  auto* list = table.add_subcommand(
+      "list",
+      "The boundaries of a table with the numbers of their meshes, as lines of a .tsv file");
+  auto list_options = std::make_shared<TableListOptions>();
+  list->add_option("TABLE", list_options->table, "Table [the one beside the program]");
+  list->add_option("--quads", list_options->quads, "Only boundaries with so many quads")
+      ->check(CLI::Range(6, 64));
+  list->add_option("--at-least", list_options->at_least,
+                   "Only meshes with at least so many hexahedra")
+      ->check(at_least_one());
+  list->add_option("-o,--output", list_options->output, "File to write [standard output]");
+  list->footer(example("hexatlas table list --quads 20 --at-least 50"));
+  list->callback(
+      [list_options, &action] { action = [list_options] { return table_list(*list_options); }; });
+
   auto* check = table.add_subcommand("check", "Judge every mesh of a table anew");
   auto check_options = std::make_shared<TableCheckOptions>();
   check->add_option("TABLE", check_options->table, "Table [the one beside the program]");
@@ -65,6 +93,9 @@ void add_table_readers(CLI::App& table, Action& action) {
                    "of quads from 6 to N")
       ->type_name("N")
       ->check(CLI::Range(6, 32));
+  add_shard(*check, check_options->shard,
+            "Judge the meshes of one of M shares only, R/M, and all else: several processors or "
+            "machines judge a large table together");
   check->add_flag("--json", check_options->json, "Print one JSON object");
   check->footer(example("hexatlas table check --complete-through 14"));
   check->callback([check_options, &action] {
@@ -96,7 +127,7 @@ void add_table_bounds(CLI::App& table, Action& action, const std::string& comman
   bounds->add_option("--only", options->only,
                      "Boundaries, by name or canonical code; all others are left as they are");
   bounds->add_option("--max-nodes", options->max_nodes, "Of the searches for one boundary")
-      ->check(CLI::PositiveNumber);
+      ->check(at_least_one());
   add_save_every(*bounds, options->save_every);
   bounds->add_flag("--json", options->json, "Print one JSON object");
   add_threads(*bounds, options->threads);
@@ -269,6 +300,7 @@ void add_table_build(CLI::App& table, Action& action, const std::string& command
       example("hexatlas table build -o my.hxt --max-quads 14 --width 20000 --state my.state"));
   build->callback([options, &action] {
     expect_file(options->output);
+    expect_apart(options->state, options->output);
     action = [options] { return table_build(*options); };
   });
 }

@@ -181,8 +181,16 @@ struct TableGetOptions {
 };
 [[nodiscard]] ExitCode table_get(const TableGetOptions& options);
 
+struct TableListOptions {
+  std::string table, output;
+  int quads = 0;     ///< only boundaries with so many; 0: all
+  int at_least = 1;  ///< hexahedra
+};
+[[nodiscard]] ExitCode table_list(const TableListOptions& options);
+
 struct TableCheckOptions {
   std::string table;
+  std::string shard;         ///< as for shard_from(); empty: the whole
   int complete_through = 0;  ///< refused unless complete up to this number of quads; 0: anything
   bool json = false;
 };

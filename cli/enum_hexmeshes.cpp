@@ -263,7 +263,9 @@ build::HexmeshTask task_of(const EnumHexmeshesOptions& options, const NamedBound
 }  // namespace
 
 ExitCode enum_hexmeshes(const EnumHexmeshesOptions& options) {
-  const NamedBoundary input = boundary_from(options.boundary);
+  const auto known = boundary_from(options.boundary);
+  if (!known) return ExitCode::no;
+  const NamedBoundary& input = *known;
   for (const std::string& file : {options.output, options.certificate, options.state})
     if (!file.empty()) core::expect_writable(file);
   const build::HexmeshTask task = task_of(options, input);

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <exception>
 #include <new>
 #include <string>
@@ -48,6 +49,7 @@ ExitCode run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   occupy_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that gets too large is an error of writing, not the end
   hexatlas::exact::throw_when_out_of_memory();
   return static_cast<int>(run(argc, argv));
 }

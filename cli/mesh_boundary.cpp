@@ -15,6 +15,7 @@
 #include "meshing/hexahedrize/placing.hpp"
 #include "meshing/quality/report.hpp"
 #include "tables/check/mesh_check.hpp"
+#include "tables/fill/filled.hpp"
 #include "tables/format/table.hpp"
 
 namespace hexatlas::cli {
@@ -71,7 +72,9 @@ ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
   const MeshFiles files{options.boundary, options.output, options.report};
   if (!are_distinct(files, "BOUNDARY", "mesh boundary")) return ExitCode::usage;
   expect_outputs_writable(files);
-  const NamedBoundary boundary = boundary_from(options.boundary);
+  const auto known = boundary_from(options.boundary);
+  if (!known) return ExitCode::no;
+  const NamedBoundary& boundary = *known;
   const format::Table table =
       table_for(options.table, static_cast<std::size_t>(boundary.boundary.quads()));
   const auto ordinal = table.find(canon::from_text(boundary.code).value());
@@ -82,7 +85,7 @@ ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
   }
   using hexahedrize::Boundary;
   const mesh::HexMesh mesh = hexahedrize::placed(
-      table.mesh(*ordinal), boundary.boundary,
+      fill::mesh_in(table, *ordinal, table.path()), boundary.boundary,
       options.free_boundary ? Boundary::free : Boundary::convex,
       {.effort = options.effort, .threads = parallel::threads_or_all(options.threads)});
   const check::Verdict verdict = check::check_mesh(for_judge(mesh), nullptr);

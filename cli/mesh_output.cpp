@@ -31,15 +31,6 @@ std::optional<io::FileFormat> format_on(const std::string& output) {
   return output == "-" ? std::optional(io::FileFormat::vtk) : std::nullopt;
 }
 
-/// Two outputs are one file also if it is not there yet.
-bool is_same_output(const std::string& a, const std::string& b) {
-  if (a == "-" || b == "-") return a == b;
-  namespace fs = std::filesystem;
-  std::error_code error;  // a folder that is not there is told by who tests it
-  return is_same_file(a, b) || fs::weakly_canonical(fs::absolute(a), error) ==
-                                   fs::weakly_canonical(fs::absolute(b), error);
-}
-
 }  // namespace
 
 bool is_same_file(const std::string& input, const std::string& output) {
@@ -47,6 +38,14 @@ bool is_same_file(const std::string& input, const std::string& output) {
   std::error_code error;  // a file that is not there is told by who opens it
   return std::filesystem::is_regular_file(input, error) &&
          std::filesystem::equivalent(input, output, error);
+}
+
+bool is_same_output(const std::string& a, const std::string& b) {
+  if (a == "-" || b == "-") return a == b;
+  namespace fs = std::filesystem;
+  std::error_code error;  // a folder that is not there is told by who tests it
+  return is_same_file(a, b) || fs::weakly_canonical(fs::absolute(a), error) ==
+                                   fs::weakly_canonical(fs::absolute(b), error);
 }
 
 check::Mesh for_judge(const mesh::HexMesh& mesh) {

@@ -28,7 +28,14 @@ void say_text(std::string_view text) {
 
 void say(std::string_view line) { say_text(fmt::format("hexatlas: {}\n", line)); }
 
-void say_fault(std::string_view line) { say_text(fmt::format("{}\n", line)); }
+void say_fault(std::string_view line) {
+  std::string shown;  // names from the command line may hold anything; a fault is one line
+  for (const char c : line) {
+    const auto byte = static_cast<unsigned char>(c);
+    shown += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
+  say_text(shown + "\n");
+}
 
 double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

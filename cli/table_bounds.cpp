@@ -41,7 +41,7 @@ Given given(const format::Table& table, const std::string& command) {
 }
 
 struct Tally {
-  std::size_t raised = 0, replaced = 0;
+  std::size_t raised = 0, replaced = 0, cut = 0;
 };
 
 /// The rows that are asked for.
@@ -66,8 +66,9 @@ void take_step(std::span<format::TableRow* const> rows, const build::BoundOption
                Making& making, Tally& tally) {
   const std::vector<build::BoundOutcome> outcomes = build::raise_bounds(rows, options);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (outcomes[i] == build::BoundOutcome::raised) ++tally.raised;
-    if (outcomes[i] != build::BoundOutcome::replaced) continue;
+    if (outcomes[i].is_cut) ++tally.cut;
+    if (outcomes[i].change == build::BoundOutcome::Change::raised) ++tally.raised;
+    if (outcomes[i].change != build::BoundOutcome::Change::replaced) continue;
     ++tally.replaced;
     making.found[rows[i]->code] = {"search", today()};
   }
@@ -145,9 +146,14 @@ ExitCode table_bounds(const TableBoundsOptions& options) {
                                     .stop = &stop_requested()},
                                    tally);
   const format::Table table = write_table(options.output, work.table, work.making);
-  print(options.json ? json_line(table, tally, is_finished) : text_of(table, tally));
-  if (is_finished) return ExitCode::yes;
-  say("stopped; the same command for the table " + options.output + " goes on");
+  print(options.json ? json_line(table, tally, is_finished && tally.cut == 0)
+                     : text_of(table, tally));
+  if (is_finished && tally.cut == 0) return ExitCode::yes;
+  if (is_finished)
+    say(fmt::format("for {} --max-nodes ended the search; their bounds may be too small",
+                    counted(tally.cut, "boundary", "boundaries")));
+  else
+    say("stopped; the same command for the table " + options.output + " goes on");
   return ExitCode::undecided;
 }
 

@@ -8,6 +8,7 @@
 #include "cli/table_path.hpp"
 #include "enum/core/files.hpp"
 #include "tables/build/census.hpp"
+#include "tables/build/named.hpp"
 #include "tables/check/table_check.hpp"
 #include "tables/format/manifest.hpp"
 
@@ -45,6 +46,17 @@ std::string fault_of_census(const format::Table& table, const std::string& path)
   return "";
 }
 
+/// The names that everybody knows are those of their boundaries.
+std::string fault_of_names(const format::Table& table) {
+  for (const format::TableName& name : table.names()) {
+    const build::NamedBoundary* const named = build::named_boundary(name.name);
+    const std::string code = canon::to_text(table.entry(name.ordinal).code);
+    if (named != nullptr && named->code != code)
+      return fmt::format("{} is the name of {}, not of {}", name.name, named->code, code);
+  }
+  return "";
+}
+
 std::string fault_of_completeness(const check::TableVerdict& verdict, int asked_for) {
   const auto wanted = static_cast<std::uint32_t>(asked_for - asked_for % 2);
   if (wanted <= verdict.complete_through) return "";
@@ -53,10 +65,11 @@ std::string fault_of_completeness(const check::TableVerdict& verdict, int asked_
   return fmt::format("it is complete through {} quads, not {}", verdict.complete_through, wanted);
 }
 
-Findings findings_of(const std::string& path, int complete_through) {
+Findings findings_of(const std::string& path, const TableCheckOptions& options) {
   const std::string bytes = core::read_file(path);
+  const quads::Shard shard = shard_from(options.shard).value_or(quads::Shard{});
   Findings found;
-  found.verdict = check::check_table_bytes(bytes);
+  found.verdict = check::check_table_bytes(bytes, {shard.part, shard.parts});
   found.reason = found.verdict.reason;
   if (!found.reason.empty()) return found;
   const format::Table table = format::Table::from_bytes(bytes, path);
@@ -64,9 +77,11 @@ Findings findings_of(const std::string& path, int complete_through) {
   const std::string census = build::census_path(path);
   found.has_manifest = is_there(manifest);
   found.has_census = is_there(census);
-  if (found.has_manifest) found.reason = fault_of_manifest(table, manifest);
+  found.reason = fault_of_names(table);
+  if (found.has_manifest && found.reason.empty()) found.reason = fault_of_manifest(table, manifest);
   if (found.has_census && found.reason.empty()) found.reason = fault_of_census(table, census);
-  if (found.reason.empty()) found.reason = fault_of_completeness(found.verdict, complete_through);
+  if (found.reason.empty())
+    found.reason = fault_of_completeness(found.verdict, options.complete_through);
   return found;
 }
 
@@ -109,12 +124,20 @@ std::string completeness_text(const check::TableVerdict& verdict) {
                                    verdict.claimed_through));
 }
 
-std::string json_line(const std::string& path, const Findings& found) {
+std::string accepted_text(const check::TableVerdict& verdict, const std::string& shard) {
+  if (shard.empty()) return "accepted";
+  return fmt::format("share {} accepted, {} of {} meshes judged", shard, verdict.judged_meshes,
+                     verdict.entries);
+}
+
+std::string json_line(const std::string& path, const std::string& shard, const Findings& found) {
   nlohmann::ordered_json json;
   json["file"] = path;
   json["accepted"] = found.reason.empty();
   json["reason"] = found.reason;
+  if (!shard.empty()) json["shard"] = shard;
   json["entries"] = found.verdict.entries;
+  json["judged_meshes"] = found.verdict.judged_meshes;
   json["hexahedra"] = hexahedra_of(found.verdict);
   json["names"] = found.verdict.names;
   json["claimed_through"] = found.verdict.claimed_through;
@@ -138,15 +161,16 @@ std::string json_line(const std::string& path, const Findings& found) {
 
 ExitCode table_check(const TableCheckOptions& options) {
   const std::string path = table_path(options.table);
-  const Findings found = findings_of(path, options.complete_through);
+  const Findings found = findings_of(path, options);
   const bool accepted = found.reason.empty();
   if (options.json) {
-    print(json_line(path, found));
+    print(json_line(path, options.shard, found));
   } else if (!accepted) {
     print(fmt::format("{}: rejected: {}\n", path, found.reason));
   } else {
-    print(fmt::format("{}: accepted: {} meshes with {} hexahedra, {} names; {}{}\n{}", path,
-                      found.verdict.entries, hexahedra_of(found.verdict), found.verdict.names,
+    print(fmt::format("{}: {}: {} meshes with {} hexahedra, {} names; {}{}\n{}", path,
+                      accepted_text(found.verdict, options.shard), found.verdict.entries,
+                      hexahedra_of(found.verdict), found.verdict.names,
                       found.has_manifest ? "as its manifest says" : "no manifest beside it",
                       found.has_census ? "; as its census says" : "",
                       completeness_text(found.verdict)));

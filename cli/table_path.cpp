@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "enum/core/errors.hpp"
+#include "enum/flips/scars.hpp"
 
 namespace hexatlas::cli {
 
@@ -46,11 +47,10 @@ format::Table table_for(const std::string& asked_for, std::size_t quads) {
   const auto has_all = [&](const format::Table& one) {
     return quads <= static_cast<std::size_t>(one.complete_through());
   };
-  if (!asked_for.empty() || quads % 2 != 0 || has_all(table)) return table;
+  if (!asked_for.empty() || quads % 2 != 0 || quads > flips::kMaxSearchQuads || has_all(table))
+    return table;
   const auto path = shipped_if_there("hexatlas-22.hxt");
-  if (!path) return table;
-  format::Table larger = format::Table::open(*path);
-  return has_all(larger) ? larger : table;
+  return path ? format::Table::open(*path) : table;
 }
 
 std::string sectors_path(const std::string& asked_for) {

@@ -20,7 +20,8 @@ namespace hexatlas::cli {
 [[nodiscard]] std::string table_path(const std::string& asked_for);
 
 /// The table to read for a boundary of so many quads: the one asked for, or of those that come with
-/// the program the first, unless only the larger one claims to have all such boundaries.
+/// the program the first, or, if it does not claim to have all such boundaries, the larger one:
+/// from more meshes a search makes smaller ones. Of boundaries too large for a search, the first.
 /// Throws as table_path() and format::Table::open() do.
 [[nodiscard]] format::Table table_for(const std::string& asked_for, std::size_t quads);
 

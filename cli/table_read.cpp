@@ -10,13 +10,12 @@
 #include "cli/output.hpp"
 #include "cli/table_by_quads.hpp"
 #include "cli/table_path.hpp"
-#include "enum/complex/quad_surface.hpp"
-#include "enum/complex/quadrangulation.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "enum/flips/scars.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "tables/build/named.hpp"
+#include "tables/fill/filled.hpp"
 #include "tables/fill/query.hpp"
 #include "tables/format/manifest.hpp"
 
@@ -91,28 +90,6 @@ canon::Code code_of_name(const std::string& name, const format::Table& table) {
   throw core::InvalidInput(name, "is no name in this table; known are " + known);
 }
 
-complex::Quadrangulation boundary_of(const std::string& word) {
-  const auto code = canon::from_text(word);
-  const auto boundary = code ? canon::decode(*code) : std::nullopt;
-  if (!boundary)
-    throw core::InvalidInput(word,
-                             "is no code of a quadrangulation; `hexatlas code SURFACE` gives one");
-  return *boundary;
-}
-
-/// As complex::reason_against_filling says it, for words whose graph need not be simple.
-std::optional<std::string> reason_against_filling(const complex::Quadrangulation& boundary) {
-  const std::vector<complex::QuadVertices> quads = boundary.list_of_quads();
-  const bool is_even = quads.size() % 2 == 0;
-  if (const auto law = complex::broken_law(quads); law && is_even)
-    return "the boundary is not 3-connected: " + law->reason;
-  complex::QuadSphere sphere;
-  for (const auto& quad : quads) sphere.quads.push_back({quad[0], quad[1], quad[2], quad[3]});
-  for (int v = 0; v < boundary.vertices(); ++v)
-    sphere.point_of.push_back(static_cast<complex::VertexId>(v));
-  return complex::reason_against_filling(sphere);
-}
-
 /// A mesh for a boundary that the table does not have.
 std::optional<complex::HexComplex> searched(const format::Table& table, const canon::Code& code) {
   if (code.quads > flips::kMaxSearchQuads)
@@ -122,31 +99,37 @@ std::optional<complex::HexComplex> searched(const format::Table& table, const ca
   return fill::fill_through(table, code, {.threads = parallel::available_threads()});
 }
 
-/// A code that may be that of a mesh's boundary; nullopt, and said why, if it is of none.
-std::optional<canon::Code> fillable(const std::string& word) {
-  const complex::Quadrangulation boundary = boundary_of(word);
-  if (const auto reason = reason_against_filling(boundary)) {
-    say(fmt::format("{}: no hexahedral mesh exists: {}", word, *reason));
-    return std::nullopt;
-  }
-  expect_canonical(word, boundary);
-  return canon::from_text(word);
-}
-
 }  // namespace
+
+ExitCode table_list(const TableListOptions& options) {
+  const format::Table table = format::Table::open(table_path(options.table));
+  std::string text = "code\tquads\thexahedra\tinterior_vertices\tlower_bound\n";
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const format::TableEntry entry = table.entry(i);
+    if (options.quads != 0 && entry.code.quads != options.quads) continue;
+    if (entry.hexahedra < static_cast<std::size_t>(options.at_least)) continue;
+    text += fmt::format("{}\t{}\t{}\t{}\t{}\n", canon::to_text(entry.code), entry.code.quads,
+                        entry.hexahedra, entry.interior_vertices, entry.lower_bound);
+  }
+  core::write_file(options.output.empty() ? "-" : options.output, text);
+  return ExitCode::yes;
+}
 
 ExitCode table_get(const TableGetOptions& options) {
   std::optional<canon::Code> wanted;
   if (options.name.empty()) {
-    wanted = fillable(options.code);
-    if (!wanted) return ExitCode::no;
+    const auto boundary = boundary_of_code(options.code);
+    if (!boundary) return ExitCode::no;
+    wanted = canon::from_text(boundary->code);
+  } else if (const auto* named = build::named_boundary(options.name)) {
+    wanted = canon::from_text(named->code);
   }
   const format::Table table = wanted ? table_for(options.table, wanted->quads)
                                      : format::Table::open(table_path(options.table));
   const canon::Code code = wanted ? *wanted : code_of_name(options.name, table);
   const auto ordinal = table.find(code);
   std::optional<complex::HexComplex> mesh;
-  if (ordinal) mesh = table.mesh(*ordinal);
+  if (ordinal) mesh = fill::mesh_in(table, *ordinal, table.path());
   if (!ordinal && options.search) mesh = searched(table, code);
   if (!mesh) {
     say(fmt::format("{} ({} quads) is not in {}{}", canon::to_text(code), code.quads, table.path(),

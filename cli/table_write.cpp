@@ -26,9 +26,12 @@ build::Census census_of(const format::Table& table, const Making& making) {
 
 }  // namespace
 
+std::array<std::string, 3> table_files(const std::string& path) {
+  return {path, format::manifest_path(path), build::census_path(path)};
+}
+
 void expect_table_writable(const std::string& path) {
-  for (const std::string& file : {path, format::manifest_path(path), build::census_path(path)})
-    core::expect_writable(file);
+  for (const std::string& file : table_files(path)) core::expect_writable(file);
 }
 
 std::map<canon::Code, Found> found_in_census(const format::Table& table) {

@@ -2,6 +2,7 @@
 /// \file
 /// A table on its way to a file, with what lies beside it: the manifest and the census.
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -10,6 +11,9 @@
 #include "tables/format/table.hpp"
 
 namespace hexatlas::cli {
+
+/// The table and what lies beside it: its manifest and its census.
+[[nodiscard]] std::array<std::string, 3> table_files(const std::string& path);
 
 /// Before long work: throws what writing one of the three files would throw.
 void expect_table_writable(const std::string& path);

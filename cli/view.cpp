@@ -25,9 +25,9 @@ using AnyMesh = std::variant<mesh::HexMesh, mesh::HybridMesh, mesh::FacetMesh>;
 AnyMesh read_any(const ViewOptions& options) {
   const bool is_stream = options.input == "-";
   const std::string file = is_stream ? "standard input" : options.input;
-  const auto known = is_stream ? std::optional<io::FileFormat>() : io::format_of_path(file);
   const std::string bytes = core::read_file(options.input);
-  const io::FileFormat format = known ? *known : io::detect_format(bytes, file);
+  const io::FileFormat format =
+      is_stream ? io::detect_format(bytes, file) : io::format_of_path(file);
   if (!io::holds(format, io::Content::hybrid)) return io::parse_facets(bytes, format, file);
   try {
     mesh::HybridMesh mesh = io::parse_hybrid(bytes, format, file);

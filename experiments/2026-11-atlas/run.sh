@@ -243,6 +243,8 @@ if [[ "${1:-}" == --search ]]; then
     --seed 20270801 --growths 0 --collared 40000 --collar-hexahedra 9 --collar-width 600 --collar-widest 24
   build -o hexatlas-now.hxt --start-from hexatlas.hxt collared-24.hxt "${last[@]/20261126/20270801}"
   build -o hexatlas-22-now.hxt --max-quads 22 --start-from hexatlas-now.hxt hexatlas-22.hxt collared-24.hxt "${last[@]/20261126/20270801}"
+  # What the larger table has smaller.
+  build -o hexatlas-both.hxt --start-from hexatlas-now.hxt hexatlas-22-now.hxt "${last[@]/20261126/20270803}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys

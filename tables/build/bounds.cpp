@@ -8,6 +8,7 @@
 #include "enum/core/words.hpp"
 #include "enum/hexes/hexmeshes.hpp"
 #include "enum/parallel/parallel_for.hpp"
+#include "tables/fill/filled.hpp"
 
 namespace hexatlas::build {
 namespace {
@@ -45,7 +46,8 @@ BoundOutcome raise_bound(format::TableRow& row, const BoundOptions& options) {
     throw core::InvalidInput("boundary " + canon::to_text(row.code),
                              "is not 3-connected; a table has no others");
   const int most = std::min(options.max_hexahedra, hexes::kMaxHexahedra);
-  BoundOutcome outcome = BoundOutcome::unchanged;
+  using Change = BoundOutcome::Change;
+  BoundOutcome outcome;
   std::uint64_t nodes = options.max_nodes;
   while (row.lower_bound <= most && row.lower_bound < row.mesh.hexahedra.size()) {
     auto frontier = searched(*boundary, row.lower_bound, nodes, options.stop);
@@ -54,12 +56,14 @@ BoundOutcome raise_bound(format::TableRow& row, const BoundOptions& options) {
         ball != frontier->found.end()) {
       expect_not_refuted("the table", row.code, row.lower_bound, ball->mesh.hexahedra.size());
       row.mesh = std::move(ball->mesh);
-      return BoundOutcome::replaced;
+      outcome.change = Change::replaced;
+      return outcome;
     }
-    if (!frontier->found.empty() || !frontier->is_finished()) break;
+    outcome.is_cut = frontier->found.empty() && !frontier->is_finished();
+    if (!frontier->found.empty() || outcome.is_cut) break;
     nodes -= std::min(nodes, frontier->counts.nodes);
     ++row.lower_bound;
-    outcome = BoundOutcome::raised;
+    outcome.change = Change::raised;
   }
   return outcome;
 }
@@ -77,7 +81,7 @@ std::vector<format::TableRow> rows_of(const format::Table& table) {
   rows.reserve(table.size());
   for (std::size_t i = 0; i < table.size(); ++i) {
     const format::TableEntry entry = table.entry(i);
-    rows.push_back({entry.code, table.mesh(i), entry.lower_bound});
+    rows.push_back({entry.code, fill::mesh_in(table, i, table.path()), entry.lower_bound});
     expect_not_refuted(table.path(), entry.code, entry.lower_bound, entry.hexahedra);
   }
   return rows;

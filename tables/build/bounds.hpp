@@ -26,10 +26,14 @@ struct BoundOptions {
 };
 
 /// What the searches say of one boundary.
-enum class BoundOutcome : std::uint8_t {
-  unchanged,  ///< nothing that was not known
-  raised,     ///< fewer hexahedra than the bound are impossible now
-  replaced    ///< there is a smaller mesh, which is the row's now; the bound is its size
+struct BoundOutcome {
+  enum class Change : std::uint8_t {
+    none,     ///< nothing that was not known
+    raised,   ///< fewer hexahedra than the bound are impossible now
+    replaced  ///< there is a smaller mesh, which is the row's now; the bound is its size
+  };
+  Change change = Change::none;
+  bool is_cut = false;  ///< stopped, or the nodes were spent: with more the bound might be greater
 };
 
 /// Raises the bound of a row, one number of hexahedra after the other: each is excluded by a search
@@ -50,8 +54,9 @@ enum class BoundOutcome : std::uint8_t {
 void expect_not_refuted(const std::string& source, const canon::Code& code, int bound,
                         std::size_t hexahedra);
 
-/// The rows of a table, as they were written. Cost: that of unpacking each mesh.
-/// \throws core::InvalidInput where a mesh refutes the bound of its row.
+/// The rows of a table, as they were written. Cost: that of unpacking and validating each mesh.
+/// \throws core::InvalidInput where a mesh is none of its boundary, or refutes the bound of its
+/// row.
 [[nodiscard]] std::vector<format::TableRow> rows_of(const format::Table& table);
 
 }  // namespace hexatlas::build

@@ -56,7 +56,7 @@ struct IndexEntry {
 
 class TableJudge {
  public:
-  explicit TableJudge(std::string_view bytes) : bytes_(bytes) {}
+  TableJudge(std::string_view bytes, TableShare share) : bytes_(bytes), share_(share) {}
 
   TableVerdict judge() {
     verdict_.bytes = bytes_.size();
@@ -80,12 +80,16 @@ class TableJudge {
       std::string_view before;
       for (std::uint64_t i = 0; i < section.count; ++i) {
         const IndexEntry entry = entry_at(section, i);
-        std::string broken = open_block(section.first + i);
+        const std::uint64_t ordinal = section.first + i;
+        const bool is_shared = ordinal / layout_.entries_per_block % share_.parts == share_.part;
+        std::string broken = is_shared ? open_block(ordinal) : "";
         if (!broken.empty()) return broken;
+        Boundary boundary;
         if (i > 0 && entry.key <= before) broken = "the keys are not in ascending order";
-        if (broken.empty())
-          broken = judge_entry(section.quads, entry, payload_of(section.first + i));
-        if (!broken.empty()) return "entry " + std::to_string(section.first + i) + ": " + broken;
+        if (broken.empty()) broken = judge_key(section.quads, entry, boundary);
+        if (broken.empty() && is_shared) broken = judge_mesh(boundary, entry, payload_of(ordinal));
+        if (!broken.empty()) return "entry " + std::to_string(ordinal) + ": " + broken;
+        count(entry, boundary.automorphisms);
         before = entry.key;
       }
     }
@@ -130,17 +134,20 @@ class TableJudge {
     return payloads_[ordinal % layout_.entries_per_block];
   }
 
-  std::string judge_entry(std::uint32_t quads, const IndexEntry& entry, std::string_view payload) {
+  static std::string judge_key(std::uint32_t quads, const IndexEntry& entry, Boundary& boundary) {
     if (entry.zero != 0) return "the last two bytes are not zero";
     if (entry.lower_bound == 0) return "the lower bound is 0";
     if (entry.hexahedra < entry.lower_bound) {
       return "the number of hexahedra is below the lower bound";
     }
-    Boundary boundary;
-    std::string broken = decode_key(entry.key, quads, boundary);
-    if (!broken.empty()) return broken;
+    return decode_key(entry.key, quads, boundary);
+  }
+
+  std::string judge_mesh(const Boundary& boundary, const IndexEntry& entry,
+                         std::string_view payload) {
     Filling filling;
-    broken = read_payload(payload, boundary.quads, entry.hexahedra, entry.interior, filling);
+    const std::string broken =
+        read_payload(payload, boundary.quads, entry.hexahedra, entry.interior, filling);
     if (!broken.empty()) return broken;
     std::vector<Quad> found;
     const Verdict verdict =
@@ -152,8 +159,7 @@ class TableJudge {
     if (verdict.interior_vertices != entry.interior) {
       return "the number of interior vertices is not that of the mesh";
     }
-    count(entry.hexahedra, boundary.automorphisms);
-    if (entry.lower_bound > 1) ++verdict_.claimed_bounds;
+    ++verdict_.judged_meshes;
     return {};
   }
 
@@ -180,8 +186,10 @@ class TableJudge {
            std::to_string(sum_at(n)) + " of " + std::to_string(rooted_all()[n]);
   }
 
-  void count(std::uint32_t hexahedra, unsigned automorphisms) {
+  void count(const IndexEntry& entry, unsigned automorphisms) {
     TableRow& row = verdict_.by_quads.back();
+    const std::uint32_t hexahedra = entry.hexahedra;
+    if (entry.lower_bound > 1) ++verdict_.claimed_bounds;
     row.rooted_sum += std::uint64_t{8} * row.quads / automorphisms;
     row.least_hexahedra = row.entries == 0 ? hexahedra : std::min(row.least_hexahedra, hexahedra);
     row.greatest_hexahedra = std::max(row.greatest_hexahedra, hexahedra);
@@ -190,6 +198,7 @@ class TableJudge {
   }
 
   std::string_view bytes_;
+  TableShare share_;
   TableLayout layout_;
   TableVerdict verdict_;
   std::string block_;
@@ -198,7 +207,9 @@ class TableJudge {
 
 }  // namespace
 
-TableVerdict check_table_bytes(std::string_view bytes) { return TableJudge(bytes).judge(); }
+TableVerdict check_table_bytes(std::string_view bytes, TableShare share) {
+  return TableJudge(bytes, share).judge();
+}
 
 TableVerdict check_table(const std::filesystem::path& path) {
   return check_table_bytes(bytes_of_file(path));

@@ -42,6 +42,7 @@ struct TableVerdict {
   std::string reason;
   std::uint64_t bytes = 0;
   std::uint64_t entries = 0;
+  std::uint64_t judged_meshes = 0;  ///< so far: of the share
   std::uint64_t names = 0;
   std::uint32_t claimed_through = 0;   ///< what the table claims of itself; 0: nothing
   std::uint32_t complete_through = 0;  ///< proven for all even numbers of quads from 6 to this
@@ -49,8 +50,16 @@ struct TableVerdict {
   std::vector<TableRow> by_quads;      ///< of the entries accepted so far
 };
 
+/// The meshes in the blocks with a number that is `part` modulo `parts`. Requires part < parts.
+struct TableShare {
+  std::uint64_t part = 0;
+  std::uint64_t parts = 1;
+};
+
 [[nodiscard]] TableVerdict check_table(const std::filesystem::path& path);
-/// The same for bytes in memory.
-[[nodiscard]] TableVerdict check_table_bytes(std::string_view bytes);
+/// The same for bytes in memory. Of a share of the meshes, so that several machines judge a table
+/// together: all else is judged with each share. A table is valid if and only if all shares of it
+/// are accepted.
+[[nodiscard]] TableVerdict check_table_bytes(std::string_view bytes, TableShare share = {});
 
 }  // namespace hexatlas::check

@@ -34,7 +34,7 @@ class TableBalls final : public flips::BallSource {
 
   [[nodiscard]] flips::Layers layers_of(const canon::Code& boundary,
                                         std::size_t /*the only one*/) const override {
-    complex::HexComplex mesh = table_.mesh(table_.find(boundary).value());
+    complex::HexComplex mesh = mesh_in(table_, table_.find(boundary).value(), table_.path());
     flips::Layers layers;
     // A record takes hexahedra off; layers are put on.
     std::reverse(mesh.hexahedra.begin(), mesh.hexahedra.end());

@@ -29,7 +29,8 @@ struct QueryOptions {
 /// strict rule and against its boundary; vertices 0 .. quads+1 are those of the boundary in
 /// canonical labels. If pairs are to be kept apart, cuts are not tried. nullopt if none was found,
 /// which proves nothing. Requires the code of a 3-connected quadrangulation with an even number of
-/// at most flips::kMaxSearchQuads quads. Safe to call from several threads. Cost: tens of
+/// at most flips::kMaxSearchQuads quads. Throws InvalidInput where a mesh of the table that would
+/// be a part of it is none of its boundary. Safe to call from several threads. Cost: tens of
 /// milliseconds for boundaries with two or four quads more than the table's.
 [[nodiscard]] std::optional<complex::HexComplex> fill_through(const format::Table& table,
                                                               const canon::Code& boundary,

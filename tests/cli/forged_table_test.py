@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Claim. `mesh hex` writes nothing but meshes that the judge accepts, even if the table lies;
-`table build` begins with no such table.
+"""Claim. No verb hands on a mesh of a table that lies: each says which table it is. `table check` and
+`table get` know what the celebrated boundaries are called.
 Oracle. A table written here, byte by byte from docs/formats/table.md, with a digest that is
 right and a mesh that is wrong: the cube and, apart from it, one hexahedron twice.
 usage: forged_table_test.py PROGRAM
@@ -23,7 +23,7 @@ def stored(raw):
     return header + struct.pack("<I", 1 | len(raw) << 3)[:3] + raw
 
 
-def table(cells, interior, key=KEY):
+def table(cells, interior, key=KEY, name=""):
     payload = b"\x01" + b"".join(struct.pack("<8H", *cell) for cell in cells)
     raw = struct.pack("<I", len(payload)) + payload
     block = stored(raw)
@@ -33,8 +33,10 @@ def table(cells, interior, key=KEY):
     body = struct.pack("<IIQQQ", 2 * len(key), len(key), 0, 1, index)
     body += key + struct.pack("<HHHH", len(cells), interior, 1, 0)
     body += struct.pack("<QII", directory + 16, len(block), len(raw)) + block
-    head = b"hexatlas" + struct.pack("<IIQQIIIIQQQ", 2, 0x0A0B0C0D, names, 1, 1, 1, 0, 64, index,
-                                     directory, names)
+    if name:
+        body += struct.pack("<IB", 0, len(name)) + name.encode()
+    head = b"hexatlas" + struct.pack("<IIQQIIIIQQQ", 2, 0x0A0B0C0D, 128 + len(body), 1, 1, 1,
+                                     bool(name), 64, index, directory, names)
     head = head.ljust(128, b"\0")
     digest = hashlib.sha256(head + body).digest()
     return head[:96] + digest + body
@@ -59,6 +61,27 @@ class ForgedTableTest(program.ProgramTest):
         ran = self.expect(3, self.mesh_with([self.sound_cell(), apart, apart], 8))
         self.assertIn("forged.hxt: holds a mesh", ran.err)
         self.assertFalse(os.path.exists(self.path("out.vtk")))
+
+    def test_no_verb_hands_it_on(self):
+        self.write("forged.hxt", table([[0] * 8], 0))
+        for words in (("table", "get", "--name", "cube", "--table", "forged.hxt"),
+                      ("table", "get", "--code", "q1:022972977f", "--search", "--table", "forged.hxt"),
+                      ("table", "bounds", "forged.hxt", "-o", "out.hxt", "--max-hexes", "2"),
+                      ("mesh", "boundary", "cube", "--table", "forged.hxt", "-o", "out.vtk")):
+            self.expect_fault(self.hexatlas(*words), "forged.hxt")
+        self.assertEqual(self.listing(), ["forged.hxt"])
+
+    def test_names_are_those_of_their_boundaries(self):
+        cell = self.sound_cell()
+        self.write("named.hxt", table([cell], 0, name="cube"))
+        self.expect(0, self.hexatlas("table", "check", "named.hxt"))
+        self.write("named.hxt", table([cell], 0, name="two-cubes"))
+        ran = self.expect(1, self.hexatlas("table", "check", "named.hxt"))
+        self.assertIn("two-cubes is the name of q1:022972977f, not of q1:08a5df", ran.out)
+        self.expect(4, self.hexatlas("table", "get", "--name", "two-cubes", "--table", "named.hxt"))
+        self.write("named.hxt", table([cell], 0, name="mine"))
+        got = self.expect(0, self.hexatlas("table", "get", "--name", "mine", "--table", "named.hxt"))
+        self.assertEqual(json.loads(got.out)["cells"], [cell])
 
     def test_a_search_does_not_begin_with_it(self):
         # Two hexahedra on the ten vertices of the spindle's boundary, which is not theirs.

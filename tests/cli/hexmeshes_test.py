@@ -138,6 +138,14 @@ class Hexmeshes(program.ProgramTest):
         self.assertEqual(ran.out, "")
         self.assertEqual(len(ran.err.splitlines()), 1, ran)
 
+    def test_boundaries_without_a_mesh(self):
+        for code, said in (("q1:088a65f7f", "odd"), ("q1:2aaa7fff", "3-connected")):
+            for words in (("enum", "hexmeshes", code, "--max-hexes", "2"), ("mesh", "boundary", code, "-o", "a.vtk")):
+                ran = self.expect(1, self.hexatlas(*words))
+                self.assertRegex(ran.err, r"\Ahexatlas: " + code + r": no hexahedral mesh exists: [^\n]+\n\Z")
+                self.assertIn(said, ran.err)
+                self.assertEqual((ran.out, self.listing()), ("", []))
+
     def test_bad_arguments(self):
         for arguments in ((), ("cube",), ("cube", "--max-hexes", "0"), ("cube", "--max-hexes", "65"),
                           ("cube", "--max-hexes", "3", "--shard", "3/3"),

@@ -189,7 +189,7 @@ class Surroundings(TableTest):
 
     def test_a_table_is_built_at_any_place(self):
         os.mkdir(self.path("\u00fcn\u00ef code"))
-        table = os.path.join("\u00fcn\u00ef code", "my table")
+        table = os.path.join("\u00fcn\u00ef code", "my table.hxt")
         self.expect(0, self.hexatlas(*[table if word == "a.hxt" else word for word in BUILD]))
         ran = self.expect(0, self.hexatlas("table", "check", table))
         self.assertIn("as its manifest says", ran.out)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Claim. Where `mesh hex` runs out of memory, at whatever stage and with however many threads, it
 exits with 5 and one line, and leaves neither output nor temporary file; with a little more, it
-makes the mesh that it makes without limit.
+makes the mesh that it makes without limit. A file that may not get as large as it would leaves none, with exit code 5.
 Oracle. The exit codes of docs/architecture/README.md; limits on the address space (RLIMIT_AS), from
-one that the start of the program needs to one that is enough.
+one that the start of the program needs to one that is enough; limits on files (RLIMIT_FSIZE).
 """
 import resource
 
@@ -11,6 +11,18 @@ import program
 import surfaces
 
 MIB = 1 << 20
+
+
+class LargeFiles(program.ProgramTest):
+    """A limit on the size of files is an error of writing."""
+
+    def test_a_file_that_gets_too_large(self):
+        for words in (("table", "list", "-o", "out.tsv"),
+                      ("table", "build", "-o", "out.hxt", "--max-quads", "6", "--width", "10")):
+            ran = self.expect(5, self.hexatlas(*words, preexec_fn=lambda: resource.setrlimit(
+                resource.RLIMIT_FSIZE, (16, 16))))
+            self.assertRegex(ran.err, r"\Ahexatlas: [^\n]+\n\Z")
+            self.assertEqual(self.listing(), [])
 
 
 class OutOfMemory(program.ProgramTest):

@@ -107,8 +107,19 @@ class Bounds(TableTest):
         self.assertGreater(max(map(int, said["by_bound"])), 5)
         self.expect(0, self.hexatlas("table", "check", "out.hxt"))
 
+    def test_spent_nodes_are_told(self):
+        search = ("table", "build", "-o", "many.hxt", "--max-quads", "10", "--width", "300")
+        self.assertIn(self.hexatlas(*search).code, (0, 4))
+        words = ("table", "bounds", "many.hxt", "-o", "out.hxt", "--max-hexes", "9")
+        ran = self.expect(4, self.hexatlas(*words, "--max-nodes", "2", "--json"))
+        self.assertFalse(json.loads(ran.out)["finished"])
+        self.assertRegex(ran.err, r"\Ahexatlas: for \d+ boundar(y|ies) --max-nodes ended the search[^\n]+\n\Z")
+        ran = self.expect(0, self.hexatlas(*words, "--json"))
+        self.assertTrue(json.loads(ran.out)["finished"])
+
     def test_bad_arguments(self):
         for words in (("small.hxt", "-o", "-", "--max-hexes", "3"),
+                      ("small.hxt", "-o", "small.bak", "--max-hexes", "3"),
                       ("small.hxt", "-o", "out.hxt"),
                       ("small.hxt", "-o", "out.hxt", "--max-hexes", "0"),
                       ("small.hxt", "-o", "out.hxt", "--max-hexes", "65"),

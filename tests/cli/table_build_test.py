@@ -108,8 +108,8 @@ class Build(program.ProgramTest):
         os.mkdir(self.path("folder.hxt"))
         os.mkdir(self.path("b.manifest.json"))
         for output, named in (("nowhere/a.hxt", "nowhere/a.hxt"), ("folder.hxt", "folder.hxt"),
-                              ("b.hxt", "b.manifest.json"), ("c" * 300, "c" * 300),
-                              ("c" * 250, "c" * 250 + ".manifest.json")):
+                              ("b.hxt", "b.manifest.json"), ("c" * 300 + ".hxt", "c" * 300 + ".hxt"),
+                              ("c" * 246 + ".hxt", "c" * 246 + ".manifest.json")):
             ran = self.hexatlas("table", "build", "-o", output, "--max-quads", "18")
             self.expect_fault(ran, named)
         for word in ("pyramid", "q1:", "q1:zz", "q1:08a5d", "q1:18a5df", "08a5df"):
@@ -141,7 +141,10 @@ class Build(program.ProgramTest):
         self.assertEqual(self.listing(), ["a.census.sqlite", "a.hxt", "a.manifest.json"])
 
     def test_wrong_options(self):
-        for options in (["-o", "-"], ["-o", ""], ["--output="], ["-o", "a.hxt", "--max-quads", "40"],
+        for options in (["-o", "-"], ["-o", ""], ["--output="], ["-o", "a.bak"], ["-o", "a.hxt", "--max-quads", "40"],
+                        ["-o", "a.hxt", "--state", "-"], ["-o", "a.hxt", "--state", "a.hxt"],
+                        ["-o", "a.hxt", "--state", "./a.manifest.json"],
+                        ["-o", "a.hxt", "--state", self.path("a.census.sqlite")],
                         ["-o", "a.hxt", "--max-quads", "ten"], ["-o", "a.hxt", "--seed", "-1"],
                         ["-o", "a.hxt", "-j", "0"], ["-o", "a.hxt", "--max-hexahedra", "0"], []):
             with self.subTest(options=options):

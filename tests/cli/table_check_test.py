@@ -76,6 +76,30 @@ class Damage(TableTest):
                 self.assertRegex(ran.out, r"\Abad\.hxt: rejected: [^\n]+\n\Z")
 
 
+class Shares(TableTest):
+    def test_each_mesh_is_judged_in_one_share(self):
+        self.write("good.hxt", self.good)
+        entries = struct.unpack_from("<Q", self.good, 24)[0]
+        judged = []
+        for part in range(3):
+            shard = f"{part}/3"
+            said = json.loads(self.expect(0, self.hexatlas("table", "check", "good.hxt", "--json",
+                                                           "--shard", shard)).out)
+            self.assertEqual((said["shard"], said["accepted"]), (shard, True))
+            self.assertEqual(said["entries"], entries)
+            judged.append(said["judged_meshes"])
+            text = self.expect(0, self.hexatlas("table", "check", "good.hxt", "--shard", shard)).out
+            self.assertIn(f"good.hxt: share {shard} accepted, {judged[-1]} of {entries} meshes judged: ", text)
+        self.assertEqual(sum(judged), entries)
+        whole = json.loads(self.expect(0, self.hexatlas("table", "check", "good.hxt", "--json")).out)
+        self.assertNotIn("shard", whole)
+        self.assertEqual(whole["judged_meshes"], entries)
+
+    def test_what_is_no_share(self):
+        for shard in ("3/3", "1", "-1/2", "0/0", "a/b"):
+            self.assertIn("--shard", self.expect(2, self.hexatlas("table", "check", "--shard", shard)).err)
+
+
 class Manifest(TableTest):
     def test_check_reads_the_manifest(self):
         ran = self.expect(0, self.hexatlas("table", "check", "small.hxt"))

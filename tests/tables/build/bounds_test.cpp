@@ -18,7 +18,7 @@
 namespace {
 
 using namespace hexatlas;
-using build::BoundOutcome;
+using Change = build::BoundOutcome::Change;
 
 constexpr const char* kTwoCubes = "q1:022972977f";
 
@@ -45,21 +45,21 @@ TEST(Bounds, StopAtTheSizeOfTheMesh) {
            {"q1:08a5df", 1}, {kTwoCubes, 2}, {"q1:088a2a5ddf7f", 4}}) {
     format::TableRow row = row_with(text, hexahedra);
     const auto before = row.mesh.hexahedra;
-    EXPECT_EQ(build::raise_bound(row, {.max_hexahedra = 9}),
-              hexahedra == 1 ? BoundOutcome::unchanged : BoundOutcome::raised);
+    EXPECT_EQ(build::raise_bound(row, {.max_hexahedra = 9}).change,
+              hexahedra == 1 ? Change::none : Change::raised);
     EXPECT_EQ(row.lower_bound, hexahedra);
     EXPECT_EQ(row.mesh.hexahedra, before);
-    EXPECT_EQ(build::raise_bound(row, {.max_hexahedra = 9}), BoundOutcome::unchanged);
+    EXPECT_EQ(build::raise_bound(row, {.max_hexahedra = 9}).change, Change::none);
   }
 }
 
 TEST(Bounds, ReplaceAMeshThatIsTooLarge) {
   for (const std::size_t hexahedra : {6U, 8U, 12U}) {
     format::TableRow row = row_with(kTwoCubes, hexahedra);
-    EXPECT_EQ(build::raise_bound(row, {.max_hexahedra = 1}), BoundOutcome::raised);
+    EXPECT_EQ(build::raise_bound(row, {.max_hexahedra = 1}).change, Change::raised);
     EXPECT_EQ(row.lower_bound, 2);
     EXPECT_EQ(row.mesh.hexahedra.size(), hexahedra);
-    EXPECT_EQ(build::raise_bound(row, {.max_hexahedra = 2}), BoundOutcome::replaced);
+    EXPECT_EQ(build::raise_bound(row, {.max_hexahedra = 2}).change, Change::replaced);
     EXPECT_EQ(row.lower_bound, 2);
     EXPECT_EQ(row.mesh.hexahedra.size(), 2U);
     const auto verdict = check::check_table_bytes(format::table_bytes({row}, {}));
@@ -84,14 +84,18 @@ TEST(Bounds, ClaimNoMoreThanWasSearched) {
   row.mesh.hexahedra.resize(39);
   const format::TableRow first = row;
   const std::atomic<bool> stop = true;
-  EXPECT_EQ(build::raise_bound(row, {.max_hexahedra = 12, .stop = &stop}), BoundOutcome::unchanged);
+  const build::BoundOutcome stopped = build::raise_bound(row, {.max_hexahedra = 12, .stop = &stop});
+  EXPECT_EQ(stopped.change, Change::none);
+  EXPECT_TRUE(stopped.is_cut);
   EXPECT_EQ(row.lower_bound, 1);
-  EXPECT_EQ(build::raise_bound(row, {.max_hexahedra = 14}), BoundOutcome::raised);
+  const build::BoundOutcome whole = build::raise_bound(row, {.max_hexahedra = 14});
+  EXPECT_EQ(whole.change, Change::raised);
+  EXPECT_FALSE(whole.is_cut);
   EXPECT_EQ(row.lower_bound, 15);
   int before = 1;
   for (const std::uint64_t nodes : {5U, 50U, 500U}) {
     format::TableRow limited = first;
-    (void)build::raise_bound(limited, {.max_hexahedra = 14, .max_nodes = nodes});
+    EXPECT_TRUE(build::raise_bound(limited, {.max_hexahedra = 14, .max_nodes = nodes}).is_cut);
     EXPECT_GE(limited.lower_bound, before);
     EXPECT_LT(limited.lower_bound, 15);
     before = limited.lower_bound;
@@ -110,10 +114,14 @@ TEST(Bounds, OfABoundaryThatNoTableShouldHave) {
   }
 }
 
-std::vector<format::TableRow*> pointers_to(std::vector<format::TableRow>& rows) {
-  std::vector<format::TableRow*> result;
-  result.reserve(rows.size());
-  for (format::TableRow& row : rows) result.push_back(&row);
+std::vector<Change> changes_of(std::vector<format::TableRow>& rows,
+                               const build::BoundOptions& options) {
+  std::vector<format::TableRow*> pointers;
+  pointers.reserve(rows.size());
+  for (format::TableRow& row : rows) pointers.push_back(&row);
+  std::vector<Change> result;
+  for (const build::BoundOutcome& outcome : build::raise_bounds(pointers, options))
+    result.push_back(outcome.change);
   return result;
 }
 
@@ -121,10 +129,10 @@ TEST(Bounds, AreTheSameForAnyNumberOfThreads) {
   std::vector<format::TableRow> rows{row_with("q1:08a5df", 1), row_with(kTwoCubes, 12),
                                      row_with(kTwoCubes, 6), row_with("q1:088a2a5ddf7f", 4)};
   std::vector<format::TableRow> others = rows;
-  const std::vector<BoundOutcome> expected{BoundOutcome::unchanged, BoundOutcome::replaced,
-                                           BoundOutcome::replaced, BoundOutcome::raised};
-  EXPECT_EQ(build::raise_bounds(pointers_to(rows), {.max_hexahedra = 8}), expected);
-  EXPECT_EQ(build::raise_bounds(pointers_to(others), {.max_hexahedra = 8, .threads = 3}), expected);
+  const std::vector<Change> expected{Change::none, Change::replaced, Change::replaced,
+                                     Change::raised};
+  EXPECT_EQ(changes_of(rows, {.max_hexahedra = 8}), expected);
+  EXPECT_EQ(changes_of(others, {.max_hexahedra = 8, .threads = 3}), expected);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     EXPECT_EQ(rows[i].mesh.hexahedra, others[i].mesh.hexahedra);
     EXPECT_EQ(rows[i].lower_bound, others[i].lower_bound);

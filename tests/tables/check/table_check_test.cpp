@@ -43,6 +43,34 @@ TEST(TableCheck, AcceptsSampleTables) {
   EXPECT_TRUE(empty.accepted) << empty.reason;
 }
 
+// Each block of meshes is in one share of several; keys are in all of them.
+TEST(TableCheck, SharesJudgeEachMeshOnce) {
+  for (const bool flips : {true, false}) {
+    for (const std::size_t per_block : {1U, 2U, 4U}) {
+      const SampleTable good = sample_table(flips, per_block);
+      for (const std::uint64_t parts : {1U, 2U, 3U, 12U}) {
+        std::uint64_t judged = 0;
+        for (std::uint64_t part = 0; part < parts; ++part) {
+          const TableVerdict verdict = check_table_bytes(good.bytes(), {part, parts});
+          ASSERT_TRUE(verdict.accepted) << verdict.reason;
+          judged += verdict.judged_meshes;
+        }
+        EXPECT_EQ(judged, good.entries.size());
+        for (std::size_t i = 0; i < good.entries.size(); ++i) {
+          SampleTable bad_mesh = good, bad_key = good;
+          bad_mesh.entries[i].payload[0] = '\x7f';
+          bad_key.entries[i].key[0] = '\x7f';
+          for (std::uint64_t part = 0; part < parts; ++part) {
+            const bool has_it = i / per_block % parts == part;
+            EXPECT_NE(check_table_bytes(bad_mesh.bytes(), {part, parts}).accepted, has_it);
+            EXPECT_FALSE(check_table_bytes(bad_key.bytes(), {part, parts}).accepted);
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(TableCheck, CountsHexahedraByQuads) {
   const TableVerdict verdict = check_table_bytes(sample_table(true, 4).bytes());
   ASSERT_EQ(verdict.by_quads.size(), 8U);
