@@ -1,8 +1,11 @@
 #include "cli/command_line.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -10,6 +13,7 @@
 #include <vector>
 
 #include "cli/command_line_parts.hpp"
+#include "cli/mesh_output.hpp"
 #include "cli/output.hpp"
 
 namespace hexatlas::cli {
@@ -104,8 +108,8 @@ void add_check(CLI::App& app, Action& action) {
                       "Proof that the classes of the catalogue are all (.hxl)");
   auto* hybrid = command->add_flag(
       "--hybrid", options->hybrid,
-      "Mesh of tetrahedra, hexahedra, prisms and pyramids: valid cells, facet to facet, none "
-      "over another");
+      "Mesh of tetrahedra, hexahedra, prisms and pyramids: valid cells, facet to facet; with "
+      "--boundary nothing covered more often than by the tetrahedra");
   auto* delaunay =
       command->add_flag("--delaunay", options->delaunay,
                         "The mesh must be a Delaunay triangulation of its points, by exact signs");
@@ -143,6 +147,28 @@ void add_code(CLI::App& app, Action& action) {
 }
 
 }  // namespace
+
+std::function<std::string(const std::string&)> number_between(double least, double greatest) {
+  return [=](const std::string& text) -> std::string {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (!text.empty() && *end == '\0' && value >= least && value <= greatest) return {};
+    return fmt::format("{} is no number from {:g} to {:g}", text, least, greatest);
+  };
+}
+
+void expect_different_files(const NamedFile& input, const std::vector<NamedFile>& outputs) {
+  const auto refuse = [](const NamedFile& one, const NamedFile& other) {
+    throw CLI::ValidationError(one.first, fmt::format("is the same file as {}", other.first));
+  };
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].second.empty()) continue;
+    if (is_same_file(input.second, outputs[i].second)) refuse(outputs[i], input);
+    for (std::size_t j = 0; j < i; ++j)
+      if (!outputs[j].second.empty() && is_same_output(outputs[i].second, outputs[j].second))
+        refuse(outputs[i], outputs[j]);
+  }
+}
 
 void add_seed(CLI::App& command, std::uint64_t& seed) {
   const auto read = [&seed](const std::string& word) {

@@ -46,8 +46,11 @@ void add_triangulations(CLI::App& parent, Action& action) {
   add_threads(*command, options->threads);
   command->footer("Exit code 4 if the search did not end.\n" +
                   example("hexatlas enum triangulations hexahedron -o hexahedron.hxc"));
-  command->callback(
-      [options, &action] { action = [options] { return enum_triangulations(*options); }; });
+  command->callback([options, &action] {
+    expect_different_files({"CELL", options->cell}, {{"--output", options->output},
+                                                     {"--completeness", options->completeness}});
+    action = [options] { return enum_triangulations(*options); };
+  });
 }
 
 void add_quadrangulations(CLI::App& parent, Action& action) {
@@ -125,8 +128,13 @@ void add_hexmeshes(CLI::App& parent, Action& action) {
       "end.\n" +
       example("hexatlas enum hexmeshes schneiders-pyramid --max-hexes 16 --ball "
               "--certificate pyramid-16.hxb"));
-  command->callback(
-      [options, &action] { action = [options] { return enum_hexmeshes(*options); }; });
+  command->callback([options, &action] {
+    expect_different_files({"BOUNDARY", options->boundary},
+                           {{"--output", options->output},
+                            {"--certificate", options->certificate},
+                            {"--state", options->state}});
+    action = [options] { return enum_hexmeshes(*options); };
+  });
 }
 
 void add_shellings(CLI::App& parent, Action& action) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <limits>
 #include <memory>
 
 #include "cli/command_line_parts.hpp"
@@ -122,10 +123,11 @@ void add_mesh_hybrid(CLI::App& mesh, Action& action) {
   command
       ->add_option("--spacing", options->spacing,
                    "Of the lattice [that of squares whose halves are the triangles]")
-      ->check(CLI::PositiveNumber)
+      ->check(
+          number_between(std::numeric_limits<double>::min(), std::numeric_limits<double>::max()))
       ->needs(fill);
   command->add_option("--quality", options->quality, "Least scaled Jacobian of a cell, exclusive")
-      ->check(CLI::Range(0.0, 0.999))
+      ->check(number_between(0, 0.999))
       ->capture_default_str();
   command->add_flag("--conforming,!--no-conforming", options->conforming,
                     "Put pyramids where a quad meets two triangles, or give up the cell [yes]");
@@ -157,7 +159,7 @@ void add_mesh_quads(CLI::App& mesh, Action& action) {
       ->required();
   command
       ->add_option("--quality", options->quality, "Least sine of the corners of a quad, exclusive")
-      ->check(CLI::Range(0.0, 0.999))
+      ->check(number_between(0, 0.999))
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer("The points stay; triangles of no quad stay.\n" +

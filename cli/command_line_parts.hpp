@@ -8,6 +8,8 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/commands.hpp"
 
@@ -23,6 +25,15 @@ using Action = std::function<ExitCode()>;
 [[nodiscard]] inline CLI::Range at_least_one() {
   return {std::uint64_t{1}, std::numeric_limits<std::uint64_t>::max(), "a number above 0"};
 }
+
+/// A number from `least` to `greatest`; CLI::Range takes what is no number, "nan", for one.
+[[nodiscard]] std::function<std::string(const std::string&)> number_between(double least,
+                                                                            double greatest);
+
+/// An option and the file that it names; none if that is empty.
+using NamedFile = std::pair<const char*, std::string>;
+/// Wrong usage: an output in the place of the input, or of another output, would be lost.
+void expect_different_files(const NamedFile& input, const std::vector<NamedFile>& outputs);
 
 inline void add_threads(CLI::App& command, int& threads) {
   command

@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "cli/command_line_parts.hpp"
-#include "cli/mesh_output.hpp"
 #include "cli/table_write.hpp"
 #include "enum/flips/scars.hpp"
 
@@ -28,11 +27,12 @@ void expect_file(const std::string& output) {
 
 /// A state in the place of the table, or of what lies beside it, would be lost.
 void expect_apart(const std::string& state, const std::string& output) {
-  if (state.empty()) return;
   if (state == "-") throw CLI::ValidationError("--state", "needs the name of a file");
-  for (const std::string& file : table_files(output))
-    if (is_same_output(state, file))
-      throw CLI::ValidationError("--state", "is a file of the table, " + file);
+  const auto [table, manifest, census] = table_files(output);
+  expect_different_files({}, {{"--output", table},
+                              {"its manifest", manifest},
+                              {"its census", census},
+                              {"--state", state}});
 }
 
 void add_table_readers(CLI::App& table, Action& action) {

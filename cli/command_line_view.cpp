@@ -101,10 +101,10 @@ void add_view(CLI::App& app, Action& action) {
       ->add_option("--explode", state.explode,
                    "Move the cells apart, by this part of their "
                    "distance from the middle")
-      ->check(CLI::Range(0.0, 2.0))
+      ->check(number_between(0, 2))
       ->capture_default_str();
   command->add_option("--shrink", state.shrink, "Shrink each cell towards its centre by this part")
-      ->check(CLI::Range(0.0, 0.9))
+      ->check(number_between(0, 0.9))
       ->capture_default_str();
   command->add_option("--peel", state.peel, "Take off so many layers of cells")
       ->check(CLI::Range(0U, 1'000'000'000U))

@@ -90,7 +90,8 @@ ExitCode mesh_hybrid(const MeshHybridOptions& options) {
     say("either --output or --count is needed. See `hexatlas mesh hybrid --help`.");
     return ExitCode::usage;
   }
-  if (!are_distinct({options.input, options.output, options.candidates}, "TETMESH", "mesh hybrid"))
+  if (!are_distinct({options.input, options.output, options.candidates, "--candidates"}, "TETMESH",
+                    "mesh hybrid"))
     return ExitCode::usage;
   if (!is_counted) expect_hybrid_writable(options.output);
   if (!options.candidates.empty()) core::expect_writable(options.candidates);

@@ -43,9 +43,10 @@ bool is_same_file(const std::string& input, const std::string& output) {
 bool is_same_output(const std::string& a, const std::string& b) {
   if (a == "-" || b == "-") return a == b;
   namespace fs = std::filesystem;
-  std::error_code error;  // a folder that is not there is told by who tests it
-  return is_same_file(a, b) || fs::weakly_canonical(fs::absolute(a), error) ==
-                                   fs::weakly_canonical(fs::absolute(b), error);
+  if (is_same_file(a, b)) return true;
+  std::error_code error, other;  // what is wrong with a name is told by who writes there
+  const fs::path one = fs::weakly_canonical(fs::absolute(a), error);
+  return one == fs::weakly_canonical(fs::absolute(b), other) && !error && !other;
 }
 
 check::Mesh for_judge(const mesh::HexMesh& mesh) {
@@ -65,9 +66,9 @@ bool are_distinct(const MeshFiles& files, const char* input, const char* verb) {
   if (is_same_file(files.input, files.output))
     same = fmt::format("{} and --output", input);
   else if (has_report && is_same_file(files.input, files.report))
-    same = fmt::format("{} and --report", input);
+    same = fmt::format("{} and {}", input, files.report_option);
   else if (has_report && !files.output.empty() && is_same_output(files.output, files.report))
-    same = "--output and --report";
+    same = fmt::format("--output and {}", files.report_option);
   if (!same.empty())
     say(fmt::format("{} are the same file. See `hexatlas {} --help`.", same, verb));
   return same.empty();

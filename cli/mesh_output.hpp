@@ -18,6 +18,7 @@ namespace hexatlas::cli {
 struct MeshFiles {
   std::string input, output;
   std::string report;  ///< empty: none
+  const char* report_option = "--report";
 };
 
 /// The output would take the place of the input.

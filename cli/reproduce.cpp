@@ -16,6 +16,7 @@
 #include "enum/balls/spheres.hpp"
 #include "enum/balls/spheres_cells.hpp"
 #include "enum/balls/triangulations.hpp"
+#include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "tables/build/catalogues.hpp"
@@ -184,7 +185,12 @@ class Reproduction {
 }  // namespace
 
 ExitCode reproduce(const ReproduceOptions& options) {
-  if (!options.folder.empty()) std::filesystem::create_directories(options.folder);
+  if (!options.folder.empty()) {
+    std::error_code error;
+    std::filesystem::create_directories(options.folder, error);
+    if (error)
+      throw core::InvalidInput(options.folder, "cannot be made a folder: " + error.message());
+  }
   const bool agrees = Reproduction(options).run();
   print(agrees ? "hexahedron-174: reproduced\n" : "hexahedron-174: NOT reproduced\n");
   return agrees ? ExitCode::yes : ExitCode::no;

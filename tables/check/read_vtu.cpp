@@ -84,7 +84,7 @@ class VtuReader {
       file_.fail(root_, "unknown compressor " + in_quotes(compressor));
     }
     zlib_ = !compressor.empty();
-    const std::string order = root_.attribute("byte_order").value();
+    const std::string order = root_.attribute("byte_order").as_string("LittleEndian");
     if (order != "LittleEndian" && order != "BigEndian") file_.fail(root_, "unknown byte_order");
     little_ = order == "LittleEndian";
   }

@@ -266,6 +266,7 @@ class BadOutput(program.ProgramTest):
                 self.expect_fault(self.hexatlas(*command.split(), output), output)
         ran = self.hexatlas("reproduce", "hexahedron-174", "-o", "result")
         self.expect_fault(ran, "result/hexahedron.html")
+        self.expect_fault(self.hexatlas("reproduce", "hexahedron-174", "-o", "cube.obj"), "cube.obj")
         self.assertEqual(self.listing(), ["cube.obj", "result"])
 
     def test_full_device(self):

@@ -12,6 +12,7 @@ import subprocess
 import time
 
 import program
+import surfaces
 
 PYRAMID = "q1:02228a2a5777df7f"
 CUBE_QUADS = [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)]
@@ -153,6 +154,14 @@ class Hexmeshes(program.ProgramTest):
                           ("cube", "--max-hexes", "3", "--save-every", "5"),
                           ("cube", "--max-hexes", "3", "--estimate", "9", "--state", "s")):
             self.hexatlas_fails(2, "enum", "hexmeshes", *arguments)
+        self.write("in.obj", surfaces.obj(*surfaces.cube()))
+        given = self.read("in.obj")
+        for arguments in (("in.obj", "-o", "in.obj"), ("in.obj", "--certificate", "./in.obj"), ("in.obj", "--state", "in.obj"),
+                          ("cube", "-o", "both", "--state", "both")):
+            self.hexatlas_fails(2, "enum", "hexmeshes", *arguments, "--max-hexes", "3")
+        self.assertEqual(self.read("in.obj"), given)
+        for outputs in (("-o", "in.obj"), ("-o", "both", "--completeness", self.path("both"))):
+            self.hexatlas_fails(2, "enum", "triangulations", "in.obj", *outputs)
         self.write("odd.off", "OFF\n1 0 0\n0 0 0\n")
         self.write("saved", "hexatlas-search 1\n")
         for arguments in (("nowhere",), ("odd.off",), ("q1:00",), ("cube", "--state", "saved"),

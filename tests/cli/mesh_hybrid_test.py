@@ -189,8 +189,17 @@ class MeshHybridTest(program.ProgramTest):
 
     def test_wrong_use(self):
         file = self.lattice(1)
-        for options in ([], ["--count", "-o", "x.vtu"], ["--count", "--quality", "1"], ["-o", file]):
-            self.assertEqual(self.hexatlas("mesh", "hybrid", file, *options).code, 2, options)
+        for options in ([], ["--count", "-o", "x.vtu"], ["--count", "--quality", "1"], ["-o", file],
+                        ["--count", "--quality", "nan"], ["-o", "x.vtu", "--fill", "lattice", "--spacing", "nan"],
+                        ["-o", "x.vtu", "--fill", "lattice", "--spacing", "inf"],
+                        ["-o", "x.vtu", "--fill", "lattice", "--spacing", "0"]):
+            ran = self.expect(2, self.hexatlas("mesh", "hybrid", file, *options))
+            self.assertLess(len(ran.err), 200)
+        ran = self.expect(2, self.hexatlas("mesh", "hybrid", file, "-o", "x.vtu", "--candidates", "x.vtu"))
+        self.assertIn("--output and --candidates are the same file", ran.err)
+        for words in (("mesh", "quads", file, "-o", "x.obj", "--quality", "nan"),
+                      ("view", file, "-o", "x.html", "--explode", "nan"), ("view", file, "-o", "x.html", "--shrink", "nan")):
+            self.expect(2, self.hexatlas(*words))
         self.assertEqual(self.hexatlas("mesh", "hybrid", "none.mesh", "--count").code, 3)
 
 

@@ -121,6 +121,14 @@ TEST(ReadMesh, ReadsWhatEachFormatSays) {
   }
 }
 
+// What VTK takes for granted on all machines of today.
+TEST(ReadMesh, ReadsVtuWithoutAByteOrder) {
+  const std::string words = " byte_order=\"LittleEndian\"";
+  expect_equal(parse_mesh("a.vtu", replaced(examples::vtu_ascii(sample()), words, "")), sample());
+  expect_equal(parse_mesh("a.vtu", replaced(kVtkAppended, words, "")),
+               parse_mesh("a.vtu", kVtkAppended));
+}
+
 TEST(ReadMesh, ReadsSurfaces) {
   const Mesh mesh = sample();
   Mesh no_cells = mesh;
