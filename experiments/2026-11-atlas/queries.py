@@ -73,7 +73,7 @@ def main():
                 else:
                     misses += 1
     times.sort()
-    print(quads, number, f"{100 * (number - misses) / number:.1f}", f"{statistics.median(times):.3f}",
+    print(os.path.basename(table), quads, number, f"{100 * (number - misses) / number:.1f}", f"{statistics.median(times):.3f}",
           f"{times[int(0.95 * number)]:.3f}", f"{times[-1]:.3f}", f"{statistics.mean(hexahedra):.1f}",
           max(hexahedra), sep="\t")
 

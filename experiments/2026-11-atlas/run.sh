@@ -260,9 +260,10 @@ python3 -B zones.py ../../tables/data/hexatlas.census.sqlite >zones.tsv
   time taskset -c 0 "$program" table check >/dev/null
 } 2>check.tsv
 {
-  printf 'quads\tqueries\tper cent filled\tmedian s\t95 %% s\tmost s\tmean hexahedra\tmost\n'
+  printf 'table\tquads\tqueries\tper cent filled\tmedian s\t95 %% s\tmost s\tmean hexahedra\tmost\n'
   python3 -B queries.py "$program" ../../tables/data/hexatlas.hxt 22 500
   python3 -B queries.py "$program" ../../tables/data/hexatlas.hxt 24 500
+  python3 -B queries.py "$program" ../../tables/data/hexatlas-22.hxt 24 500
 } >queries.tsv
 python3 -B kills.py "$program" "$folder" >kills.tsv
 python3 -B corruptions.py "$program" ../../tables/data/hexatlas.hxt "$folder" >corruptions.tsv
