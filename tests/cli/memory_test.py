@@ -6,6 +6,7 @@ Oracle. The exit codes of docs/architecture/README.md; limits on the address spa
 one that the start of the program needs to one that is enough; limits on files (RLIMIT_FSIZE).
 """
 import resource
+import unittest
 
 import program
 import surfaces
@@ -13,6 +14,7 @@ import surfaces
 MIB = 1 << 20
 
 
+@unittest.skipIf(program.SANITIZED, "the OpenMP of that build keeps a file in memory that counts")
 class LargeFiles(program.ProgramTest):
     """A limit on the size of files is an error of writing."""
 
