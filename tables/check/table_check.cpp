@@ -146,7 +146,7 @@ class TableJudge {
   std::string judge_mesh(const Boundary& boundary, const IndexEntry& entry,
                          std::string_view payload) {
     Filling filling;
-    const std::string broken =
+    std::string broken =
         read_payload(payload, boundary.quads, entry.hexahedra, entry.interior, filling);
     if (!broken.empty()) return broken;
     std::vector<Quad> found;

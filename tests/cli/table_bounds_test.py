@@ -112,11 +112,11 @@ class Bounds(TableTest):
 
     def test_spent_nodes_are_told(self):
         self.build_a_table_with_the_spindle()
-        words = ("table", "bounds", "spindle.hxt", "-o", "out.hxt", "--max-hexes", "9")
-        ran = self.expect(4, self.hexatlas(*words, "--max-nodes", "2", "--json"))
+        words = ("table", "bounds", "spindle.hxt", "-o", "out.hxt", "--max-nodes", "2")
+        ran = self.expect(4, self.hexatlas(*words, "--max-hexes", "40", "--json"))
         self.assertFalse(json.loads(ran.out)["finished"])
         self.assertRegex(ran.err, r"\Ahexatlas: for 1 boundary --max-nodes ended the search[^\n]+\n\Z")
-        ran = self.expect(0, self.hexatlas(*words, "--json"))
+        ran = self.expect(0, self.hexatlas(*words, "--max-hexes", "9", "--json"))  # known of both
         self.assertTrue(json.loads(ran.out)["finished"])
 
     def test_bad_arguments(self):
