@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "cli/command_line_parts.hpp"
-#include "cli/mesh_output.hpp"
 #include "cli/output.hpp"
 
 namespace hexatlas::cli {
@@ -158,16 +157,7 @@ std::function<std::string(const std::string&)> number_between(double least, doub
 }
 
 void expect_different_files(const NamedFile& input, const std::vector<NamedFile>& outputs) {
-  const auto refuse = [](const NamedFile& one, const NamedFile& other) {
-    throw CLI::ValidationError(one.first, fmt::format("is the same file as {}", other.first));
-  };
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    if (outputs[i].second.empty()) continue;
-    if (is_same_file(input.second, outputs[i].second)) refuse(outputs[i], input);
-    for (std::size_t j = 0; j < i; ++j)
-      if (!outputs[j].second.empty() && is_same_output(outputs[i].second, outputs[j].second))
-        refuse(outputs[i], outputs[j]);
-  }
+  if (const auto same = same_files(input, outputs)) throw CLI::ValidationError(*same);
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed) {

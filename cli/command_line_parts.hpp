@@ -8,10 +8,10 @@
 #include <functional>
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "cli/commands.hpp"
+#include "cli/mesh_output.hpp"
 
 namespace hexatlas::cli {
 
@@ -30,8 +30,6 @@ using Action = std::function<ExitCode()>;
 [[nodiscard]] std::function<std::string(const std::string&)> number_between(double least,
                                                                             double greatest);
 
-/// An option and the file that it names; none if that is empty.
-using NamedFile = std::pair<const char*, std::string>;
 /// Wrong usage: an output in the place of the input, or of another output, would be lost.
 void expect_different_files(const NamedFile& input, const std::vector<NamedFile>& outputs);
 

@@ -60,18 +60,26 @@ check::Surface for_judge(const mesh::SurfaceMesh& surface) {
   return {points_of(surface.points), {surface.quads.begin(), surface.quads.end()}};
 }
 
+std::optional<std::string> same_files(const NamedFile& input,
+                                      const std::vector<NamedFile>& outputs) {
+  const auto told = [](const NamedFile& one, const NamedFile& other) {
+    return fmt::format("{} and {} are the same file", one.first, other.first);
+  };
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].second.empty()) continue;
+    if (is_same_file(input.second, outputs[i].second)) return told(input, outputs[i]);
+    for (std::size_t j = 0; j < i; ++j)
+      if (!outputs[j].second.empty() && is_same_output(outputs[j].second, outputs[i].second))
+        return told(outputs[j], outputs[i]);
+  }
+  return std::nullopt;
+}
+
 bool are_distinct(const MeshFiles& files, const char* input, const char* verb) {
-  const bool has_report = !files.report.empty();
-  std::string same;
-  if (is_same_file(files.input, files.output))
-    same = fmt::format("{} and --output", input);
-  else if (has_report && is_same_file(files.input, files.report))
-    same = fmt::format("{} and {}", input, files.report_option);
-  else if (has_report && !files.output.empty() && is_same_output(files.output, files.report))
-    same = fmt::format("--output and {}", files.report_option);
-  if (!same.empty())
-    say(fmt::format("{} are the same file. See `hexatlas {} --help`.", same, verb));
-  return same.empty();
+  const auto same = same_files({input, files.input},
+                               {{"--output", files.output}, {files.report_option, files.report}});
+  if (same) say(fmt::format("{}. See `hexatlas {} --help`.", *same, verb));
+  return !same;
 }
 
 void expect_outputs_writable(const MeshFiles& files) {

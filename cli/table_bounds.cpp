@@ -139,17 +139,17 @@ ExitCode table_bounds(const TableBoundsOptions& options) {
   Given work = given(before, options.command);
   const auto chosen = chosen_from(before, options, work.table.rows);
   Tally tally;
-  const bool is_finished = proceed(work, chosen, options,
-                                   {.max_hexahedra = options.max_hexahedra,
-                                    .max_nodes = options.max_nodes,
-                                    .threads = parallel::threads_or_all(options.threads),
-                                    .stop = &stop_requested()},
-                                   tally);
+  const bool had_all_turns = proceed(work, chosen, options,
+                                     {.max_hexahedra = options.max_hexahedra,
+                                      .max_nodes = options.max_nodes,
+                                      .threads = parallel::threads_or_all(options.threads),
+                                      .stop = &stop_requested()},
+                                     tally);
   const format::Table table = write_table(options.output, work.table, work.making);
-  print(options.json ? json_line(table, tally, is_finished && tally.cut == 0)
-                     : text_of(table, tally));
-  if (is_finished && tally.cut == 0) return ExitCode::yes;
-  if (is_finished)
+  const bool is_finished = had_all_turns && tally.cut == 0;
+  print(options.json ? json_line(table, tally, is_finished) : text_of(table, tally));
+  if (is_finished) return ExitCode::yes;
+  if (had_all_turns)
     say(fmt::format("for {} --max-nodes ended the search; their bounds may be too small",
                     counted(tally.cut, "boundary", "boundaries")));
   else
