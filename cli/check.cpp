@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "cli/check_hybrid.hpp"
@@ -265,34 +267,81 @@ ExitCode check_delaunay_mesh(const CheckOptions& options) {
   return verdict.accepted ? ExitCode::yes : ExitCode::no;
 }
 
+ExitCode check_one_mesh(const CheckOptions& options, std::string_view bytes) {
+  if (!options.completeness.empty()) {
+    say("--completeness is for catalogues; " + options.mesh + " is none");
+    return ExitCode::usage;
+  }
+  const check::Mesh mesh = check::parse_mesh(check::name_of_file(options.mesh), bytes);
+  std::optional<check::Surface> surface;
+  if (!options.boundary.empty()) surface = check::read_surface(options.boundary);
+  const check::Verdict verdict = check::check_mesh(mesh, surface ? &*surface : nullptr);
+  print(options.json ? json_line(verdict) : sentence(options, verdict));
+  if (verdict.accepted && verdict.boundary_reversed)
+    say(fmt::format("note: the quads of {} face the other way than the boundary of the mesh",
+                    options.boundary));
+  if (verdict.accepted && verdict.boundary_unoriented)
+    say(fmt::format("note: the quads of {} disagree in orientation, which was left out of account",
+                    options.boundary));
+  return exit_code(verdict);
+}
+
+/// What a file of the judge's is.
+enum class Kind : std::uint8_t { mesh, bound, sectors, catalogue, completeness, table };
+
+Kind kind_by_name(const std::string& file) {
+  for (const auto& [ending, kind] : {std::pair{".hxb", Kind::bound},
+                                     {".hxs", Kind::sectors},
+                                     {".hxc", Kind::catalogue},
+                                     {".hxl", Kind::completeness},
+                                     {".hxt", Kind::table}})
+    if (file.ends_with(ending)) return kind;
+  return Kind::mesh;
+}
+
+/// By the first words, whatever the name. A damaged file has lost these, so then by the name: its
+/// judge knows best what is wrong with it.
+Kind kind_of(const std::string& file, std::string_view bytes) {
+  if (check::is_bound(bytes)) return Kind::bound;
+  if (check::is_sectors(bytes)) return Kind::sectors;
+  const Kind named = kind_by_name(file);
+  if (named != Kind::mesh) return named;
+  return check::is_catalogue(bytes) ? Kind::catalogue : Kind::mesh;
+}
+
+ExitCode not_for(const std::string& option, const std::string& file) {
+  say(option + " is for meshes; " + file + " is none by its name");
+  return ExitCode::usage;
+}
+
 }  // namespace
 
 ExitCode check(const CheckOptions& options) {
   try {
-    if (options.delaunay) return check_delaunay_mesh(options);
-    if (options.hybrid) return check_hybrid_mesh(options);
-    // What is no mesh is told by its first words, whatever its name; a mesh by its name.
-    const std::string bytes = check::bytes_of_file(options.mesh);
-    if (check::is_bound(bytes)) return check_one_bound(options, bytes);
-    if (check::is_sectors(bytes)) return check_all_sectors(options, bytes);
-    if (check::is_catalogue(bytes)) return check_one_catalogue(options, bytes);
-    if (!options.completeness.empty()) {
-      say("--completeness is for catalogues; " + options.mesh + " is none");
-      return ExitCode::usage;
+    if (options.delaunay || options.hybrid) {
+      if (kind_by_name(options.mesh) != Kind::mesh)
+        return not_for(options.hybrid ? "--hybrid" : "--delaunay", options.mesh);
+      return options.hybrid ? check_hybrid_mesh(options) : check_delaunay_mesh(options);
     }
-    const check::Mesh mesh = check::parse_mesh(check::name_of_file(options.mesh), bytes);
-    std::optional<check::Surface> surface;
-    if (!options.boundary.empty()) surface = check::read_surface(options.boundary);
-    const check::Verdict verdict = check::check_mesh(mesh, surface ? &*surface : nullptr);
-    print(options.json ? json_line(verdict) : sentence(options, verdict));
-    if (verdict.accepted && verdict.boundary_reversed)
-      say(fmt::format("note: the quads of {} face the other way than the boundary of the mesh",
-                      options.boundary));
-    if (verdict.accepted && verdict.boundary_unoriented)
-      say(fmt::format(
-          "note: the quads of {} disagree in orientation, which was left out of account",
-          options.boundary));
-    return exit_code(verdict);
+    const std::string bytes = check::bytes_of_file(options.mesh);
+    switch (kind_of(options.mesh, bytes)) {
+      case Kind::bound:
+        return check_one_bound(options, bytes);
+      case Kind::sectors:
+        return check_all_sectors(options, bytes);
+      case Kind::catalogue:
+        return check_one_catalogue(options, bytes);
+      case Kind::completeness:
+        say(options.mesh +
+            " is a proof of completeness: give it with --completeness, after its catalogue");
+        return ExitCode::usage;
+      case Kind::table:
+        say(options.mesh + " is a table. See `hexatlas table check --help`.");
+        return ExitCode::usage;
+      case Kind::mesh:
+        break;
+    }
+    return check_one_mesh(options, bytes);
   } catch (const check::Malformed& error) {
     say_fault(error.what());
     return ExitCode::invalid_input;

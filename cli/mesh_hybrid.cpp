@@ -101,6 +101,9 @@ ExitCode mesh_hybrid(const MeshHybridOptions& options) {
   const mesh::TetModel model = model_of(options, account);
   const hybrid::TetGraph graph = graph_of(model, input_name(options.input));
   account.tetrahedra = graph.size();
+  if (graph.is_turned_over())
+    say("note: the tetrahedra of " + input_name(options.input) +
+        " are inside out, all of them; they were turned over");
   const double start = seconds();
   const hybrid::Candidates candidates = candidates_of(graph, options.quality, account.threads);
   account.search_seconds = seconds() - start;

@@ -31,8 +31,7 @@ std::optional<io::FileFormat> format_on(const std::string& output) {
   return output == "-" ? std::optional(io::FileFormat::vtk) : std::nullopt;
 }
 
-}  // namespace
-
+/// The output would take the place of the input.
 bool is_same_file(const std::string& input, const std::string& output) {
   if (input == "-" || output == "-") return false;
   std::error_code error;  // a file that is not there is told by who opens it
@@ -40,6 +39,7 @@ bool is_same_file(const std::string& input, const std::string& output) {
          std::filesystem::equivalent(input, output, error);
 }
 
+/// Two outputs are one file also if it is not there yet.
 bool is_same_output(const std::string& a, const std::string& b) {
   if (a == "-" || b == "-") return a == b;
   namespace fs = std::filesystem;
@@ -48,6 +48,8 @@ bool is_same_output(const std::string& a, const std::string& b) {
   const fs::path one = fs::weakly_canonical(fs::absolute(a), error);
   return one == fs::weakly_canonical(fs::absolute(b), other) && !error && !other;
 }
+
+}  // namespace
 
 check::Mesh for_judge(const mesh::HexMesh& mesh) {
   check::Mesh judged{points_of(mesh.points), {}, {}};

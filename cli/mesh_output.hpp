@@ -23,11 +23,6 @@ struct MeshFiles {
   const char* report_option = "--report";
 };
 
-/// The output would take the place of the input.
-[[nodiscard]] bool is_same_file(const std::string& input, const std::string& output);
-/// Two outputs are one file also if it is not there yet.
-[[nodiscard]] bool is_same_output(const std::string& a, const std::string& b);
-
 /// The mesh and the surface as the judge takes them.
 [[nodiscard]] check::Mesh for_judge(const mesh::HexMesh& mesh);
 [[nodiscard]] check::Surface for_judge(const mesh::SurfaceMesh& surface);

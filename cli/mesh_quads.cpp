@@ -15,7 +15,7 @@ namespace {
 
 struct Account {
   std::size_t triangles = 0, candidates = 0, quads = 0;
-  double min_quality = 0, mean_quality = 0;  ///< of the quads; 0 if there are none
+  double min_quality = 0, mean_quality = 0;  ///< of the quads, if there are any
   double seconds = 0;                        ///< without the files
 };
 
@@ -25,19 +25,26 @@ std::string json_line(const Account& account) {
   json["candidates"] = account.candidates;
   json["selected"] = {{"quads", account.quads},
                       {"triangles", account.triangles - 2 * account.quads}};
-  json["min_quality"] = account.min_quality;
-  json["mean_quality"] = account.mean_quality;
+  json["min_quality"] = nullptr;
+  json["mean_quality"] = nullptr;
+  if (account.quads != 0) {
+    json["min_quality"] = account.min_quality;
+    json["mean_quality"] = account.mean_quality;
+  }
   json["seconds"] = account.seconds;
   return to_line(json);
 }
 
 std::string summary(const Account& account, const std::string& output) {
-  return fmt::format("{} of {}: {} and {} left, of {}\nleast quality {:.3f}, mean {:.3f}\n", output,
-                     counted(account.triangles, "triangle", "triangles"),
-                     counted(account.quads, "quad", "quads"),
-                     counted(account.triangles - 2 * account.quads, "triangle", "triangles"),
-                     counted(account.candidates, "candidate", "candidates"), account.min_quality,
-                     account.mean_quality);
+  std::string text = fmt::format(
+      "{} of {}: {} and {} left, of {}\n", output,
+      counted(account.triangles, "triangle", "triangles"), counted(account.quads, "quad", "quads"),
+      counted(account.triangles - 2 * account.quads, "triangle", "triangles"),
+      counted(account.candidates, "candidate", "candidates"));
+  if (account.quads != 0)
+    text += fmt::format("least quality {:.3f}, mean {:.3f}\n", account.min_quality,
+                        account.mean_quality);
+  return text;
 }
 
 mesh::FacetMesh triangles_of(const std::string& input) {
@@ -56,6 +63,9 @@ ExitCode mesh_quads(const MeshQuadsOptions& options) {
     return ExitCode::usage;
   expect_facets_writable(options.output);
   const mesh::FacetMesh surface = triangles_of(options.input);
+  if (const std::size_t edges = hybrid::incoherent_edges(surface); edges != 0)
+    say(fmt::format("note: {} between two triangles of opposite orientation, which make no quad",
+                    counted(edges, "edge", "edges")));
   const double start = seconds();
   const auto candidates = hybrid::quad_candidates(surface, options.quality);
   const auto chosen = hybrid::quad_selection(candidates, surface.facets.size());

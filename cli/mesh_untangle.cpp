@@ -61,9 +61,8 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
   mesh::HexMesh mesh = io::read_hexahedra(options.input);
   const std::string name = input_name(options.input);
   expect_placeable(mesh, name);
-  std::vector<std::uint8_t> is_free = options.free_boundary
-                                          ? std::vector<std::uint8_t>(mesh.points.size(), 1)
-                                          : hexahedrize::interior_points(mesh);
+  std::vector<std::uint8_t> is_free = options.free_boundary ? hexahedrize::points_of_cells(mesh)
+                                                            : hexahedrize::interior_points(mesh);
   const auto moved =
       static_cast<std::size_t>(std::count(is_free.begin(), is_free.end(), std::uint8_t{1}));
   const quality::Report before = quality::report(mesh);

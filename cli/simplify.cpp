@@ -104,10 +104,8 @@ simplify::Simplified searched(const complex::HexComplex& mesh, const SimplifyOpt
 
 ExitCode simplify_mesh(const SimplifyOptions& options) {
   const double begin = seconds();
-  if (is_same_file(options.input, options.output)) {
-    say("MESH and --output are the same file. See `hexatlas simplify --help`.");
+  if (!are_distinct({options.input, options.output, {}}, "MESH", "simplify"))
     return ExitCode::usage;
-  }
   expect_mesh_writable(options.output);
   const mesh::HexMesh given = io::read_hexahedra(options.input);
   const std::string name = input_name(options.input);

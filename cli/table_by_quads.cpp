@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/mesh_output.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
 #include "enum/core/files.hpp"
@@ -151,8 +152,7 @@ void print_by_quads(const format::Table& table, const TableInfoOptions& options)
     core::write_file(options.svg, sheet::distribution_chart(
                                       panels, "Hexahedral meshes of quadrangulated spheres"));
   }
-  if (options.svg == "-") return;  // the chart is the output
-  print(options.json ? json_line(table, statistics) : text_of(table, statistics));
+  tell(options.svg, options.json ? json_line(table, statistics) : text_of(table, statistics));
 }
 
 }  // namespace hexatlas::cli

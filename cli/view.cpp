@@ -80,9 +80,8 @@ void expect_outputs_writable(const ViewOptions& options) {
 ExitCode view_mesh(const ViewOptions& options) {
   if (options.output.empty() && options.png.empty())
     return wrong_use("--output or --png is needed");
-  if (options.output == options.png) return wrong_use("--output and --png are the same file");
-  if (is_same_file(options.input, options.output) || is_same_file(options.input, options.png))
-    return wrong_use("MESH and an output are the same file");
+  if (!are_distinct({options.input, options.output, options.png, "--png"}, "MESH", "view"))
+    return ExitCode::usage;
   if (page_parts().before.empty())
     throw core::ResourceFailure(
         "this program was built without the page of `view` (HEXATLAS_VIEW=OFF)");

@@ -27,6 +27,13 @@ void place(mesh::HexMesh& mesh, std::size_t first_free, const untangle::Options&
   place(mesh, std::move(is_free), options);
 }
 
+std::vector<std::uint8_t> points_of_cells(const mesh::HexMesh& mesh) {
+  std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
+  for (const auto& cell : mesh.hexahedra)
+    for (const mesh::Index v : cell) is_used[v] = 1;
+  return is_used;
+}
+
 std::vector<std::uint8_t> interior_points(const mesh::HexMesh& mesh) {
   std::vector<std::array<mesh::Index, 4>> quads;
   quads.reserve(6 * mesh.hexahedra.size());
@@ -37,7 +44,7 @@ std::vector<std::uint8_t> interior_points(const mesh::HexMesh& mesh) {
       quads.push_back(quad);
     }
   std::sort(quads.begin(), quads.end());
-  std::vector<std::uint8_t> is_interior(mesh.points.size(), 1);
+  std::vector<std::uint8_t> is_interior = points_of_cells(mesh);
   for (auto first = quads.begin(); first != quads.end();) {
     const auto last = std::upper_bound(first, quads.end(), *first);
     if (last - first != 2)

@@ -38,6 +38,19 @@ std::vector<DirectedEdge> edges_of(const mesh::FacetMesh& surface) {
   return edges;
 }
 
+/// `visit` gets the sides of each edge, one for each triangle at it.
+template <class Visit>
+void for_each_edge(const mesh::FacetMesh& surface, const Visit& visit) {
+  const std::vector<DirectedEdge> edges = edges_of(surface);
+  for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
+    const auto is_same = [&](const DirectedEdge& e) {
+      return std::minmax(e.v, e.w) == std::minmax(edges[first].v, edges[first].w);
+    };
+    while (end < edges.size() && is_same(edges[end])) ++end;
+    visit(std::span(edges).subspan(first, end - first));
+  }
+}
+
 double quality_of(const std::vector<mesh::Point>& points, const std::array<Index, 4>& quad) {
   const auto edge = [&](std::size_t from, std::size_t to) {
     return quality::direction(points[quad[from % 4]], points[quad[to % 4]]);
@@ -172,17 +185,12 @@ class Matching {
 
 std::vector<QuadCandidate> quad_candidates(const mesh::FacetMesh& surface, double quality) {
   core::expects(quality >= 0 && quality < 1, "a quality in [0, 1)");
-  const std::vector<DirectedEdge> edges = edges_of(surface);
   std::vector<QuadCandidate> result;
-  for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
-    const auto is_same = [&](const DirectedEdge& e) {
-      return std::minmax(e.v, e.w) == std::minmax(edges[first].v, edges[first].w);
-    };
-    while (end < edges.size() && is_same(edges[end])) ++end;
-    for (std::size_t i = first; i < end; ++i)
-      for (std::size_t j = i + 1; j < end; ++j) {
-        const DirectedEdge& e = edges[i];
-        const DirectedEdge& f = edges[j];
+  for_each_edge(surface, [&](std::span<const DirectedEdge> sides) {
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      for (std::size_t j = i + 1; j < sides.size(); ++j) {
+        const DirectedEdge& e = sides[i];
+        const DirectedEdge& f = sides[j];
         if (e.v != f.w || e.apex == f.apex || e.triangle == f.triangle) continue;
         QuadCandidate quad{{e.v, f.apex, e.w, e.apex}, {e.triangle, f.triangle}, 0};
         quad.quality = quality_of(surface.points, quad.vertices);
@@ -192,11 +200,19 @@ std::vector<QuadCandidate> quad_candidates(const mesh::FacetMesh& surface, doubl
                     quad.vertices.end());
         result.push_back(quad);
       }
-  }
+  });
   std::sort(result.begin(), result.end(), [](const QuadCandidate& a, const QuadCandidate& b) {
     return std::tie(a.vertices, a.triangles) < std::tie(b.vertices, b.triangles);
   });
   return result;
+}
+
+std::size_t incoherent_edges(const mesh::FacetMesh& surface) {
+  std::size_t count = 0;
+  for_each_edge(surface, [&](std::span<const DirectedEdge> sides) {
+    if (sides.size() == 2 && sides[0].v == sides[1].v) ++count;
+  });
+  return count;
 }
 
 std::vector<std::size_t> quad_selection(std::span<const QuadCandidate> candidates,

@@ -37,6 +37,10 @@ struct QuadCandidate {
 [[nodiscard]] std::vector<QuadCandidate> quad_candidates(const mesh::FacetMesh& surface,
                                                          double quality);
 
+/// How many edges of exactly two triangles both run through in the same direction: no candidate has
+/// such an edge as its diagonal, since the triangles are not coherently oriented.
+[[nodiscard]] std::size_t incoherent_edges(const mesh::FacetMesh& surface);
+
 /// Candidates of which no two have a triangle in common, ascending; none can be added. The aim is
 /// many quads first, then good ones. The optimum is not promised.
 [[nodiscard]] std::vector<std::size_t> quad_selection(std::span<const QuadCandidate> candidates,

@@ -146,6 +146,7 @@ std::optional<BrokenLaw> TetGraph::orient() {
     return at(first_negative, "tetrahedron " + std::to_string(first_negative) +
                                   " is inverted: not all have the same orientation");
   for (Tetrahedron& t : tetrahedra_) std::swap(t[2], t[3]);
+  is_turned_over_ = true;
   return std::nullopt;
 }
 

@@ -45,6 +45,8 @@ class TetGraph {
 
   [[nodiscard]] std::span<const mesh::Point> points() const noexcept { return points_; }
   [[nodiscard]] std::size_t size() const noexcept { return tetrahedra_.size(); }
+  /// Whether all tetrahedra were given inside out.
+  [[nodiscard]] bool is_turned_over() const noexcept { return is_turned_over_; }
   /// Right-handed.
   [[nodiscard]] const Tetrahedron& operator[](TetIndex t) const noexcept { return tetrahedra_[t]; }
   [[nodiscard]] TetIndex across(TetIndex t, unsigned facet) const noexcept {
@@ -87,6 +89,7 @@ class TetGraph {
   void gather_neighbours();
 
   std::span<const mesh::Point> points_;
+  bool is_turned_over_ = false;
   std::vector<Tetrahedron> tetrahedra_;
   std::vector<TetIndex> across_;
   std::span<const std::uint32_t> regions_;

@@ -36,10 +36,19 @@ Judged judged(const std::vector<HybridCell>& cells, const std::vector<Point>& po
   return result;
 }
 
+Judged judged(const TetrahedralMesh& mesh) {
+  return judged(cells_of(HybridMesh{{}, mesh.tetrahedra, {}, {}, {}}), mesh.points);
+}
+
+/// Tetrahedra that are inside out, all of them, are the same domain, so these are turned over.
 HybridFinding check_given(const std::vector<FacetCycle>& boundary, const HybridMesh& mesh,
                           const TetrahedralMesh& given) {
-  const Judged tetrahedra =
-      judged(cells_of(HybridMesh{{}, given.tetrahedra, {}, {}, {}}), given.points);
+  Judged tetrahedra = judged(given);
+  if (tetrahedra.found && tetrahedra.found->law == HybridLaw::kPositive) {
+    TetrahedralMesh turned = given;
+    for (Tetrahedron& t : turned.tetrahedra) std::swap(t[2], t[3]);
+    if (Judged other = judged(turned); !other.found) tetrahedra = std::move(other);
+  }
   if (tetrahedra.found) {
     return HybridFailure{HybridLaw::kGivenMesh, "in the given mesh: " + tetrahedra.found->reason};
   }

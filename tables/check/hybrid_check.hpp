@@ -64,7 +64,8 @@ struct HybridVerdict {
   std::uint64_t singular_boundary_edges = 0;  ///< in more than two boundary facets
 };
 
-/// `given` may be null. Its points and those of the mesh are the same if their coordinates are.
+/// `given` may be null; tetrahedra that are all inside out stand for themselves turned over. Its
+/// points and those of the mesh are the same if their coordinates are.
 [[nodiscard]] HybridVerdict check_hybrid(const HybridMesh& mesh, const TetrahedralMesh* given);
 
 }  // namespace hexatlas::check

@@ -215,6 +215,21 @@ class Check(program.ProgramTest):
         for option in ("--boundary", "--completeness"):
             self.assertEqual(self.hexatlas("check", "good.hxb", option, "good.obj").code, 2)
 
+    def test_what_has_lost_its_first_words_is_told_by_its_name(self):
+        for name in ("bad.hxc", "bad.hxb", "bad.hxs"):
+            for content in (b"", b"hexa", b"\x28\xb5"):
+                self.write_bytes(name, content)
+                with self.subTest(file=name, content=content):
+                    ran = self.hexatlas("check", name)
+                    self.expect_fault(ran, name)
+                    self.assertNotIn("mesh file", ran.err)
+        for name, words in (("proof.hxl", "--completeness"), ("table.hxt", "table check")):
+            self.write(name, "")
+            self.assertIn(words, self.expect(2, self.hexatlas("check", name)).err)
+        self.write_bytes("good.hxb", certificate())
+        for option in ("--hybrid", "--delaunay"):
+            self.assertIn(option, self.expect(2, self.hexatlas("check", "good.hxb", option)).err)
+
     def test_sectors(self):
         scarred = scarred_sector()
         layered = layer_around(scarred)

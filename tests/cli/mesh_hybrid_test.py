@@ -107,6 +107,22 @@ class MeshHybridTest(program.ProgramTest):
         self.assertEqual(len(lines), 1 + sum(numbers))
         self.assertEqual(lines[0].split()[3:], [str(n) for n in numbers])
 
+    def test_tetrahedra_inside_out_are_turned_over(self):
+        points, cells = kuhn(1)
+        inside_out = [(a, b, d, c) for a, b, c, d in cells]
+        self.write("right.mesh", medit(points, cells))
+        self.write("inside-out.mesh", medit(points, inside_out))
+        right = self.succeeds("mesh", "hybrid", "right.mesh", "-o", "right.vtk")
+        self.assertEqual(right.err, "")
+        turned = self.succeeds("mesh", "hybrid", "inside-out.mesh", "-o", "turned.vtk")
+        self.assertIn("note: the tetrahedra of inside-out.mesh are inside out", turned.err)
+        for mesh in ("right.vtk", "turned.vtk"):
+            for boundary in ("right.mesh", "inside-out.mesh"):
+                self.succeeds("check", "--hybrid", mesh, "--boundary", boundary)
+        self.write("both.mesh", medit(points, inside_out[:1] + cells[1:]))
+        ran = self.expect(1, self.hexatlas("check", "--hybrid", "right.vtk", "--boundary", "both.mesh"))
+        self.assertIn("rejected: given-mesh: ", ran.out)
+
     def refuses(self, text, words):
         self.write("bad.mesh", text)
         ran = self.hexatlas("mesh", "hybrid", "bad.mesh", "-o", "none.vtu")
@@ -186,6 +202,14 @@ class MeshHybridTest(program.ProgramTest):
         self.succeeds("mesh", "quads", "one.obj", "-o", "mixed.off")
         self.assertEqual(self.read("mixed.off").decode().splitlines()[-2:], ["3 1 4 2", "4 0 1 2 3"])
         self.expect_fault(self.hexatlas("mesh", "quads", "mixed.off", "-o", "x.obj"), "mixed.off")
+
+    def test_triangles_of_opposite_orientation_make_no_quad(self):
+        self.write("two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n")
+        ran = self.succeeds("mesh", "quads", "two.obj", "-o", "none.off")
+        self.assertIn("note: 1 edge between two triangles of opposite orientation", ran.err)
+        self.assertEqual(ran.out, "none.off of 2 triangles: 0 quads and 2 triangles left, of 0 candidates\n")
+        made = json.loads(self.succeeds("mesh", "quads", "two.obj", "-o", "none.off", "--json").out)
+        self.assertEqual((made["min_quality"], made["mean_quality"]), (None, None))
 
     def test_wrong_use(self):
         file = self.lattice(1)

@@ -94,6 +94,16 @@ class Untangle(program.ProgramTest):
                     self.assertEqual(old, new)
             self.assertEqual(len(mesh[0]), len(points))
 
+    def test_points_of_no_cell_are_not_free(self):
+        points, _, text = grid(2, lambda p: p)
+        self.write("in.mesh", text.replace(f"Vertices\n{len(points)}\n", f"Vertices\n{len(points) + 1}\n")
+                   .replace("Hexahedra", "7 8 9 0\nHexahedra"))
+        for options, free in (((), 1), (("--free-boundary",), len(points))):
+            said = json.loads(self.expect(0, self.hexatlas(
+                "mesh", "untangle", "in.mesh", "-o", "out.vtk", "--json", *options)).out)
+            self.assertEqual(said["free_vertices"], free)
+            self.assertEqual(self.mesh("out.vtk")[0][-1], (7, 8, 9))
+
     def test_bad_meshes(self):
         self.write("two.mesh", grid(1, None)[2].replace("1 2 4 3", "1 2 4 1"))
         self.expect_fault(self.hexatlas("mesh", "untangle", "two.mesh", "-o", "out.vtk"), "two.mesh")

@@ -231,7 +231,9 @@ class ByQuads(UnclaimedTest):
         self.assertEqual(len(drawing.findall(f"{name}g")), 2)
         self.assertEqual(len(drawing.findall(f"{name}g/{name}rect")), 2)
         self.assertIn("10 quads: 1 quadrangulation", drawing.find(f"{name}desc").text)
-        self.assertEqual(self.expect(0, self.hexatlas(*words, "-")).out.encode(), self.read("a.svg"))
+        ran = self.expect(0, self.hexatlas(*words, "-", "--json"))
+        self.assertEqual(ran.out.encode(), self.read("a.svg"))
+        self.assertEqual(json.loads(ran.err)["entries"], 2)
         self.expect_fault(self.hexatlas(*words, "no/where.svg"), "no/where.svg")
         for options in (["--svg", "a.svg"], ["--by", "hexahedra"], ["--by"]):
             ran = self.expect(2, self.hexatlas("table", "info", "small.hxt", *options))
