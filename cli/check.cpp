@@ -26,6 +26,7 @@ namespace {
 std::string json_line(const check::Verdict& verdict) {
   nlohmann::ordered_json json;
   json["accepted"] = verdict.accepted;
+  json["undecided"] = verdict.undecided;
   json["reason"] = verdict.reason;
   json["vertices"] = verdict.vertices;
   json["interior_vertices"] = verdict.interior_vertices;
@@ -179,6 +180,7 @@ ExitCode check_one_bound(const CheckOptions& options, std::string_view bytes) {
 std::string json_line(const check::SectorsVerdict& verdict) {
   nlohmann::ordered_json json;
   json["accepted"] = verdict.accepted;
+  json["undecided"] = verdict.undecided;
   json["reason"] = verdict.fault;
   json["sectors"] = verdict.sectors;
   json["least"] = verdict.least;

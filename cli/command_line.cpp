@@ -68,6 +68,21 @@ bool lacks_verb(const CLI::App& command) {
   return command.get_require_subcommand_min() > 0 && command.get_subcommands().empty();
 }
 
+/// The first option with an empty value, as a variable that is not set makes one. To take it for
+/// one that was not given would do less than was asked.
+const CLI::Option* option_without_value(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const bool is_flag = option->get_type_size_max() == 0;
+    const std::vector<std::string>& values = option->results();
+    if (!is_flag && std::any_of(values.begin(), values.end(),
+                                [](const std::string& value) { return value.empty(); }))
+      return option;
+  }
+  for (const CLI::App* sub : command.get_subcommands())
+    if (const CLI::Option* option = option_without_value(*sub)) return option;
+  return nullptr;
+}
+
 ExitCode wrong_usage(const CLI::App& app, const std::vector<std::string>& words,
                      const CLI::ParseError& error) {
   const CLI::App& command = deepest_parsed(app);
@@ -147,6 +162,14 @@ void add_code(CLI::App& app, Action& action) {
 
 }  // namespace
 
+std::string at_least_one(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, value);
+  if (error == std::errc{} && end == last && value >= 1) return {};
+  return text + " is no number from 1 to 2^64 - 1";
+}
+
 std::function<std::string(const std::string&)> number_between(double least, double greatest) {
   return [=](const std::string& text) -> std::string {
     char* end = nullptr;
@@ -202,6 +225,8 @@ ExitCode run_command_line(int argc, char** argv) {
   add_reproduce(app, action);
   try {
     app.parse(argc, argv);
+    if (const CLI::Option* option = option_without_value(app))
+      throw CLI::ValidationError(option->get_name(), "the value is empty");
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) return wrong_usage(app, words, error);
     std::ostringstream help_or_version, unused;

@@ -41,7 +41,7 @@ void add_triangulations(CLI::App& parent, Action& action) {
   command
       ->add_option("--max-nodes", options->max_nodes,
                    "Stop after about this many nodes; the counts then are lower bounds")
-      ->check(at_least_one())
+      ->check(at_least_one)
       ->excludes(spheres);
   add_threads(*command, options->threads);
   command->footer("Exit code 4 if the search did not end.\n" +
@@ -114,7 +114,7 @@ void add_hexmeshes(CLI::App& parent, Action& action) {
   auto* nodes = command
                     ->add_option("--max-nodes", options->max_nodes,
                                  "Stop after so many nodes; the counts then are lower bounds")
-                    ->check(at_least_one());
+                    ->check(at_least_one);
   auto* estimate = command->add_option("--estimate", options->probes,
                                        "Do not search: estimate the nodes by so many probes");
   estimate->check(CLI::Range(2, 1000000000));

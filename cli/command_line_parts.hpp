@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -21,10 +20,9 @@ using Action = std::function<ExitCode()>;
   return "Example:\n  " + text + "\n";
 }
 
-/// A number of things of which there is no most.
-[[nodiscard]] inline CLI::Range at_least_one() {
-  return {std::uint64_t{1}, std::numeric_limits<std::uint64_t>::max(), "a number above 0"};
-}
+/// A number of things of which there is no most: digits that make 1 to 2^64 - 1. CLI11 takes -1 for
+/// the greatest.
+[[nodiscard]] std::string at_least_one(const std::string& text);
 
 /// A number from `least` to `greatest`; CLI::Range takes what is no number, "nan", for one.
 [[nodiscard]] std::function<std::string(const std::string&)> number_between(double least,

@@ -78,7 +78,7 @@ void add_table_readers(CLI::App& table, Action& action) {
       ->check(CLI::Range(6, 64));
   list->add_option("--at-least", list_options->at_least,
                    "Only meshes with at least so many hexahedra")
-      ->check(at_least_one());
+      ->check(CLI::Range(0, 65535));
   list->add_option("-o,--output", list_options->output, "File to write [standard output]");
   list->footer(example("hexatlas table list --quads 20 --at-least 50"));
   list->callback(
@@ -127,7 +127,7 @@ void add_table_bounds(CLI::App& table, Action& action, const std::string& comman
   bounds->add_option("--only", options->only,
                      "Boundaries, by name or canonical code; all others are left as they are");
   bounds->add_option("--max-nodes", options->max_nodes, "Of the searches for one boundary")
-      ->check(at_least_one());
+      ->check(at_least_one);
   add_save_every(*bounds, options->save_every);
   bounds->add_flag("--json", options->json, "Print one JSON object");
   add_threads(*bounds, options->threads);

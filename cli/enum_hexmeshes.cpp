@@ -35,7 +35,12 @@ struct Result {
   const build::HexmeshTask& task;
   int symmetries = 1;
   HexFrontier frontier{};
-  bool any_interior = false;  ///< the limit of interior vertices excludes nothing
+  bool any_interior = false;   ///< the limit of interior vertices excludes nothing
+  bool is_first_only = false;  ///< others were found and left out
+
+  /// Nothing that the part searched has is missing.
+  [[nodiscard]] bool has_whole_part() const { return frontier.is_finished() && !is_first_only; }
+  [[nodiscard]] bool is_exhaustive() const { return has_whole_part() && task.parts == 1; }
 };
 
 std::map<std::size_t, Tally> by_hexahedra(const Result& result) {
@@ -88,7 +93,8 @@ nlohmann::ordered_json json_of(const Result& result) {
   json["balls"] = total.balls;
   json["symmetries"] = result.symmetries;
   json["nodes"] = result.frontier.counts.nodes;
-  json["exhaustive"] = result.frontier.is_finished();
+  json["finished"] = result.has_whole_part();
+  json["exhaustive"] = result.is_exhaustive();
   return json;
 }
 
@@ -111,15 +117,16 @@ std::string report(const Result& result) {
   for (const auto& [hexahedra, tally] : tallies)
     text += fmt::format("{:>9} {:>10} {:>12} {:>10}\n", hexahedra, tally.classes, tally.labelled,
                         tally.balls);
-  const bool is_proof = result.frontier.is_finished();
+  const std::string end = result.is_exhaustive()    ? "; the search is exhaustive"
+                          : result.has_whole_part() ? "; that part is exhausted"
+                                                    : "";
   return text + fmt::format("{} ({} quads), {}, {}{}: {}{}; {} nodes{}\n", result.input.code,
                             result.input.boundary.quads(), limits_text(result),
                             result.task.limits.ball ? "balls" : "any complexes",
                             result.task.parts == 1 ? "" : ", part " + shard_text(result.task),
-                            is_proof ? "" : "at least ",
+                            result.has_whole_part() ? "" : "at least ",
                             counted(result.frontier.found.size(), "class", "classes"),
-                            result.frontier.counts.nodes,
-                            is_proof ? "; the search is exhaustive" : "");
+                            result.frontier.counts.nodes, end);
 }
 
 std::string list_of(const Result& result) {
@@ -236,7 +243,8 @@ void search(const EnumHexmeshesOptions& options, const hexes::HexmeshProblem& pr
               const auto& [cells, others] = std::tie(a.mesh.hexahedra, b.mesh.hexahedra);
               return cells.size() != others.size() ? cells.size() < others.size() : cells < others;
             });
-  if (options.first && result.frontier.found.size() > 1) result.frontier.found.resize(1);
+  result.is_first_only = options.first && result.frontier.found.size() > 1;
+  if (result.is_first_only) result.frontier.found.resize(1);
 }
 
 build::HexmeshTask task_of(const EnumHexmeshesOptions& options, const NamedBoundary& input) {
@@ -271,7 +279,7 @@ ExitCode enum_hexmeshes(const EnumHexmeshesOptions& options) {
   const build::HexmeshTask task = task_of(options, input);
   const hexes::HexmeshProblem problem(input.boundary, task.limits);
   if (options.probes != 0) return tell_estimate(options, problem);
-  Result result{input, task, problem.symmetries(), {}, false};
+  Result result{.input = input, .task = task, .symmetries = problem.symmetries()};
   result.any_interior =
       task.limits.max_interior ==
       hexes::most_interior_vertices(input.boundary.quads(), options.max_hexahedra);

@@ -122,7 +122,8 @@ std::string json_line(const format::Table& table, const Tally& tally, bool is_fi
 
 std::string text_of(const format::Table& table, const Tally& tally) {
   std::string text = fmt::format(
-      "{}: {}, sha256 {}\n{} raised; {} by a smaller mesh; {} proven to be smallest\nlower bound: "
+      "{}: {}, sha256 {}\n{} raised; {} by a smaller mesh; {} as small as their bounds\nlower "
+      "bound: "
       "boundaries\n ",
       table.path(), counted(table.size(), "mesh", "meshes"), table.sha256(),
       counted(tally.raised, "lower bound", "lower bounds"),

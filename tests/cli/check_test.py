@@ -94,7 +94,7 @@ class Check(program.ProgramTest):
                                   r"20 edges, 11 quads, 10 of them on the boundary; [^\n]+\n\Z")
         said = json.loads(self.expect(0, self.check(points, CELLS, "--json")).out)
         self.assertEqual(said, {
-            "accepted": True, "reason": "", "vertices": 12, "interior_vertices": 0, "edges": 20,
+            "accepted": True, "undecided": False, "reason": "", "vertices": 12, "interior_vertices": 0, "edges": 20,
             "quads": 11, "hexahedra": 2, "boundary_quads": 10, "ball_proof": said["ball_proof"]})
         self.assertIn(said["ball_proof"], ("shelling", "collapse"))
         self.expect(0, self.hexatlas("check", "mesh.vtk"))
@@ -247,7 +247,7 @@ class Check(program.ProgramTest):
                 self.assertEqual(ran.err, "")
                 said = json.loads(self.expect(0, self.hexatlas("check", name, "--json")).out)
                 self.assertEqual(said, {
-                    "accepted": True, "reason": "", "sectors": len(sectors),
+                    "accepted": True, "undecided": False, "reason": "", "sectors": len(sectors),
                     "least": min(len(cells) for _, cells in sectors),
                     "least_without_scars": 56, "hexahedra_per_quad": 28})
 
@@ -267,7 +267,7 @@ class Check(program.ProgramTest):
                 self.assertRegex(ran.out, r"\Abad\.hxs: rejected: [^\n]+\n\Z")
                 said = json.loads(self.expect(1, self.hexatlas("check", "bad.hxs", "--json")).out)
                 self.assertEqual(said, {
-                    "accepted": False, "reason": said["reason"], "sectors": len(sectors),
+                    "accepted": False, "undecided": False, "reason": said["reason"], "sectors": len(sectors),
                     "least": min(len(c) for _, c in sectors),
                     "least_without_scars": None, "hexahedra_per_quad": None})
                 self.assertIn(said["reason"], ran.out)

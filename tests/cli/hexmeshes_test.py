@@ -58,7 +58,7 @@ class Hexmeshes(program.ProgramTest):
         self.assertEqual(found["by_hexes"], {"2": {"classes": 1, "labelled": 1, "balls": 1},
                                              "6": {"classes": 1, "labelled": 1, "balls": 1},
                                              "8": {"classes": 1, "labelled": 2, "balls": 1}})
-        self.assertTrue(found["exhaustive"])
+        self.assertTrue(found["exhaustive"] and found["finished"])
         lines = self.read("found.jsonl").decode().splitlines()
         self.assertEqual(len(lines), 3)
         for line in lines:
@@ -75,6 +75,24 @@ class Hexmeshes(program.ProgramTest):
     def test_first_stops_early(self):
         found = self.run_json("cube", "--max-hexes", "7", "--first")
         self.assertEqual(found["classes"], 1)
+
+    def test_first_of_several_is_not_all(self):
+        limits = ("two-cubes", "--max-hexes", "8", "--ball")
+        found = self.run_json(*limits, "--first")
+        self.assertEqual((found["classes"], found["exhaustive"], found["finished"]), (1, False, False))
+        text = self.expect(0, self.hexatlas("enum", "hexmeshes", *limits, "--first")).out
+        self.assertIn(": at least 1 class; ", text)
+        self.assertNotIn("exhaustive", text)
+        only = self.run_json("two-cubes", "--max-hexes", "5", "--ball", "--first")
+        self.assertEqual(only["classes"], 1)
+
+    def test_a_share_is_not_all(self):
+        limits = ("two-cubes", "--max-hexes", "8", "--ball", "--shard", "2/3")
+        found = self.run_json(*limits)
+        self.assertEqual((found["exhaustive"], found["finished"]), (False, True))
+        text = self.expect(0, self.hexatlas("enum", "hexmeshes", *limits)).out
+        self.assertIn("part 2/3: ", text)
+        self.assertTrue(text.endswith("; that part is exhausted\n"), text)
 
     def test_threads_and_shards_change_nothing(self):
         whole = self.run_json(PYRAMID, "--max-hexes", "12", "--ball", "-j", "1")

@@ -92,6 +92,21 @@ class Usage(program.ProgramTest):
         self.wrong("table", "get", "--name", "cube", "--code", "q1:08a5df", said=("--code",))
         self.wrong("table", "build", said=("--output",))
 
+    def test_an_empty_value_is_not_taken_for_none(self):
+        for words in (("check", "a.vtk", "--boundary"), ("check", "a.hxc", "--completeness"),
+                      ("check", "--delaunay", "a.vtu", "--points"), ("enum", "triangulations", "prism", "-o"),
+                      ("enum", "hexmeshes", "cube", "--max-hexes", "1", "--certificate"),
+                      ("mesh", "hex", "a.obj", "-o", "b.vtu", "--report"), ("realize", "prism", "-o"),
+                      ("table", "get", "--name", "cube", "--table"), ("table", "check"), ("table", "info")):
+            self.wrong(*words, "", said=("empty",))
+
+    def test_numbers_of_things_are_digits(self):
+        for number in ("-1", "-5", "0", "18446744073709551616", "1x", "+1", " 1"):
+            for words in (("enum", "hexmeshes", "cube", "--max-hexes", "1"), ("enum", "triangulations", "prism"),
+                          ("table", "bounds", "a.hxt", "-o", "b.hxt", "--max-hexes", "1")):
+                self.wrong(*words, "--max-nodes", number, said=("2^64 - 1",))
+        self.wrong("table", "list", "--at-least", "-1", said=("--at-least",))
+
 
 class Streams(TableTest):
     def setUp(self):

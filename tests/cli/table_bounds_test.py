@@ -64,7 +64,7 @@ class Bounds(TableTest):
             self.assertEqual((said["raised"], said["by_bound"]), (raised, {"1": 1, "2": 1}))
         text = self.expect(0, self.hexatlas("table", "bounds", "small.hxt", "-o", "small.hxt",
                                             "--max-hexes", "9")).out
-        self.assertIn("2 proven to be smallest\n", text)
+        self.assertIn("2 as small as their bounds\n", text)
 
     def test_a_new_search_keeps_bounds(self):
         self.bounds("small.hxt", "-o", "out.hxt", "--max-hexes", "2")

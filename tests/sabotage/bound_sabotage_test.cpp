@@ -215,7 +215,7 @@ BoundText with_changed_header(BoundText text, std::mt19937_64& random) {
 }
 
 TEST(BoundSabotage, ChangedLogsAreJudgedAsByTheSlowReading) {
-  constexpr int kRounds = support::share_of(6000);
+  constexpr int kRounds = support::share_of(3000);
   std::mt19937_64 random(1);
   int accepted = 0;
   int refused = 0;

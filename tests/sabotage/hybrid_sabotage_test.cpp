@@ -16,7 +16,7 @@
 namespace hexatlas::check {
 namespace {
 
-constexpr int kRounds = support::by_length(6, 120);
+constexpr int kRounds = support::by_length(6, 60);
 
 class Saboteur {
  public:
