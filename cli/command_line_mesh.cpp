@@ -161,8 +161,15 @@ void add_mesh_quads(CLI::App& mesh, Action& action) {
       ->add_option("--quality", options->quality, "Least sine of the corners of a quad, exclusive")
       ->check(number_between(0, 0.999))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--fold", options->fold,
+          "Greatest angle between the two triangles of a quad, in degrees, 0 if they lie in "
+          "one plane: where the surface bends more, its edges stay")
+      ->check(number_between(0, 180))
+      ->capture_default_str();
   command->add_flag("--json", options->json, "Print one JSON object");
-  command->footer("The points stay; triangles of no quad stay.\n" +
+  command->footer("The points stay; triangles of no quad stay. Colours and groups are not kept.\n" +
                   example("hexatlas mesh quads triangles.obj -o quads.obj"));
   command->callback([options, &action] { action = [options] { return mesh_quads(*options); }; });
 }

@@ -79,6 +79,7 @@ struct MeshHybridOptions {
 struct MeshQuadsOptions {
   std::string input, output;
   double quality = 0.1;  ///< the least, exclusive
+  double fold = 45;      ///< the greatest, in degrees
   bool json = false;
 };
 [[nodiscard]] ExitCode mesh_quads(const MeshQuadsOptions& options);

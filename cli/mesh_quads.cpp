@@ -67,8 +67,8 @@ ExitCode mesh_quads(const MeshQuadsOptions& options) {
     say(fmt::format("note: {} between two triangles of opposite orientation, which make no quad",
                     counted(edges, "edge", "edges")));
   const double start = seconds();
-  const auto candidates = hybrid::quad_candidates(surface, options.quality);
-  const auto chosen = hybrid::quad_selection(candidates, surface.facets.size());
+  const auto candidates = hybrid::quad_candidates(surface, {options.quality, options.fold});
+  const auto chosen = hybrid::quad_selection(surface, candidates);
   const mesh::FacetMesh result = hybrid::with_quads(surface, candidates, chosen);
   Account account{surface.facets.size(), candidates.size(), chosen.size(), 0, 0, 0};
   account.seconds = seconds() - start;

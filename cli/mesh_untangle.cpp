@@ -8,16 +8,20 @@
 #include "cli/mesh_output.hpp"
 #include "cli/mesh_report.hpp"
 #include "cli/output.hpp"
+#include "enum/cells/cube.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "meshing/hexahedrize/placing.hpp"
+
 #include "meshing/io/mesh_files.hpp"
 #include "meshing/quality/report.hpp"
+#include "meshing/quality/sides.hpp"
 
 namespace hexatlas::cli {
 namespace {
 
+/// Whatever places the points of other cells, some would overlap.
 void expect_placeable(const mesh::HexMesh& mesh, const std::string& file) {
   for (std::size_t c = 0; c < mesh.hexahedra.size(); ++c) {
     auto cell = mesh.hexahedra[c];
@@ -25,6 +29,13 @@ void expect_placeable(const mesh::HexMesh& mesh, const std::string& file) {
     if (std::adjacent_find(cell.begin(), cell.end()) != cell.end())
       throw core::InvalidInput(file, fmt::format("hexahedron {} has a vertex twice", c));
   }
+  if (const auto fault = quality::fault_of_sides(mesh)) throw core::InvalidInput(file, *fault);
+}
+
+void turn_over_if_inside_out(mesh::HexMesh& mesh, const std::string& file) {
+  if (!(quality::enclosed_volume(mesh) < 0)) return;
+  for (auto& cell : mesh.hexahedra) cells::exchange_axes(cell);
+  say("note: the hexahedra of " + file + " are inside out; they were turned over");
 }
 
 nlohmann::ordered_json json_of(const quality::Report& report) {
@@ -61,8 +72,9 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
   mesh::HexMesh mesh = io::read_hexahedra(options.input);
   const std::string name = input_name(options.input);
   expect_placeable(mesh, name);
-  std::vector<std::uint8_t> is_free = options.free_boundary ? hexahedrize::points_of_cells(mesh)
-                                                            : hexahedrize::interior_points(mesh);
+  turn_over_if_inside_out(mesh, name);
+  std::vector<std::uint8_t> is_free =
+      options.free_boundary ? quality::points_of_cells(mesh) : quality::interior_points(mesh);
   const auto moved =
       static_cast<std::size_t>(std::count(is_free.begin(), is_free.end(), std::uint8_t{1}));
   const quality::Report before = quality::report(mesh);

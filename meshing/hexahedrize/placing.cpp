@@ -1,11 +1,9 @@
 #include "meshing/hexahedrize/placing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
-#include "enum/cells/cube.hpp"
 #include "enum/core/checks.hpp"
 #include "realize/untangle/koebe.hpp"
 
@@ -25,33 +23,6 @@ void place(mesh::HexMesh& mesh, std::size_t first_free, const untangle::Options&
   std::vector<std::uint8_t> is_free(mesh.points.size(), 1);
   std::fill_n(is_free.begin(), first_free, std::uint8_t{0});
   place(mesh, std::move(is_free), options);
-}
-
-std::vector<std::uint8_t> points_of_cells(const mesh::HexMesh& mesh) {
-  std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
-  for (const auto& cell : mesh.hexahedra)
-    for (const mesh::Index v : cell) is_used[v] = 1;
-  return is_used;
-}
-
-std::vector<std::uint8_t> interior_points(const mesh::HexMesh& mesh) {
-  std::vector<std::array<mesh::Index, 4>> quads;
-  quads.reserve(6 * mesh.hexahedra.size());
-  for (const auto& cell : mesh.hexahedra)
-    for (const auto& facet : cells::kFacetVertices) {
-      std::array quad{cell[facet[0]], cell[facet[1]], cell[facet[2]], cell[facet[3]]};
-      std::sort(quad.begin(), quad.end());
-      quads.push_back(quad);
-    }
-  std::sort(quads.begin(), quads.end());
-  std::vector<std::uint8_t> is_interior = points_of_cells(mesh);
-  for (auto first = quads.begin(); first != quads.end();) {
-    const auto last = std::upper_bound(first, quads.end(), *first);
-    if (last - first != 2)
-      for (const mesh::Index v : *first) is_interior[v] = 0;
-    first = last;
-  }
-  return is_interior;
 }
 
 mesh::HexMesh placed(const complex::HexComplex& cells, const complex::Quadrangulation& boundary,

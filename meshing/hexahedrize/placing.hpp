@@ -21,12 +21,6 @@ void place(mesh::HexMesh& mesh, std::size_t first_free, const untangle::Options&
 void place(mesh::HexMesh& mesh, std::vector<std::uint8_t> is_free,
            const untangle::Options& options);
 
-/// 1 for each point that is a vertex of a hexahedron.
-[[nodiscard]] std::vector<std::uint8_t> points_of_cells(const mesh::HexMesh& mesh);
-
-/// 1 for each point that has quads, all of them in two hexahedra.
-[[nodiscard]] std::vector<std::uint8_t> interior_points(const mesh::HexMesh& mesh);
-
 enum class Boundary : std::uint8_t {
   convex,  ///< a Koebe polyhedron (realize/untangle/koebe.hpp)
   free     ///< begins there, and then moves as the interior does

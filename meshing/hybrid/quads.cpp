@@ -1,7 +1,9 @@
 #include "meshing/hybrid/quads.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <tuple>
 
@@ -62,11 +64,45 @@ double quality_of(const std::vector<mesh::Point>& points, const std::array<Index
   return least;
 }
 
-/// A matching of triangles, improved by paths and squares.
+/// The angle between two triangles at their common edge from v to w, 0 if they lie in one plane.
+double fold_of(const std::vector<mesh::Point>& points, const DirectedEdge& e,
+               const DirectedEdge& f) {
+  const auto normal = [&](const DirectedEdge& side) {
+    const mesh::Point& v = points[side.v];
+    return quality::direction({}, quality::cross(quality::direction(v, points[side.w]),
+                                                 quality::direction(v, points[side.apex])));
+  };
+  const mesh::Point a = normal(e);
+  const mesh::Point b = normal(f);
+  if (a == mesh::Point{} || b == mesh::Point{}) return 0;
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  return kDegrees * std::acos(std::clamp(quality::dot(a, b), -1.0, 1.0));
+}
+
+/// How many of its edges each vertex can lose so that three facets are left to it; those of a
+/// vertex that is not inside the surface are not counted.
+std::vector<std::int64_t> rooms_of(const mesh::FacetMesh& surface) {
+  constexpr std::int64_t kFewest = 3;
+  constexpr std::int64_t kPlenty = std::numeric_limits<std::int64_t>::max() / 2;
+  std::vector<std::int64_t> rooms(surface.points.size(), -kFewest);
+  for (const mesh::Facet& facet : surface.facets)
+    for (std::size_t i = 0; i < 3; ++i) ++rooms[facet.vertices[i]];
+  for_each_edge(surface, [&](std::span<const DirectedEdge> sides) {
+    if (sides.size() == 2) return;
+    for (const Index v : {sides[0].v, sides[0].w}) rooms[v] = kPlenty;
+  });
+  return rooms;
+}
+
+/// A matching of triangles, improved by paths and squares, in which no vertex loses more edges than
+/// it has room for.
 class Matching {
  public:
-  Matching(std::span<const QuadCandidate> candidates, std::size_t triangles)
-      : candidates_(candidates), start_(triangles + 1), quad_of_(triangles, kNone) {
+  Matching(const mesh::FacetMesh& surface, std::span<const QuadCandidate> candidates)
+      : candidates_(candidates),
+        start_(surface.facets.size() + 1),
+        quad_of_(surface.facets.size(), kNone),
+        rooms_(rooms_of(surface)) {
     for (const QuadCandidate& c : candidates)
       for (const std::uint32_t t : c.triangles) ++start_[t + 1];
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
@@ -83,7 +119,8 @@ class Matching {
       return candidates_[a].quality > candidates_[b].quality;
     });
     for (const std::size_t i : order)
-      if (is_free(candidates_[i].triangles[0]) && is_free(candidates_[i].triangles[1])) put(i);
+      if (is_free(candidates_[i].triangles[0]) && is_free(candidates_[i].triangles[1]))
+        (void)exchange({}, {&i, 1});
   }
 
   void improve() {
@@ -117,9 +154,27 @@ class Matching {
   }
   void put(std::size_t quad) {
     for (const std::uint32_t t : candidates_[quad].triangles) quad_of_[t] = quad;
+    for (const Index v : candidates_[quad].diagonal) --rooms_[v];
   }
   void take(std::size_t quad) {
     for (const std::uint32_t t : candidates_[quad].triangles) quad_of_[t] = kNone;
+    for (const Index v : candidates_[quad].diagonal) ++rooms_[v];
+  }
+  [[nodiscard]] bool has_room(std::size_t quad) const {
+    const auto& [v, w] = candidates_[quad].diagonal;
+    return rooms_[v] >= 0 && rooms_[w] >= 0;
+  }
+
+  /// Chosen quads for others on their triangles and free ones, unless a vertex has no room for
+  /// these.
+  bool exchange(std::span<const std::size_t> out, std::span<const std::size_t> in) {
+    for (const std::size_t quad : out) take(quad);
+    for (const std::size_t quad : in) put(quad);
+    if (std::all_of(in.begin(), in.end(), [this](std::size_t quad) { return has_room(quad); }))
+      return true;
+    for (const std::size_t quad : in) take(quad);
+    for (const std::size_t quad : out) put(quad);
+    return false;
   }
 
   /// A path from a free triangle to another, of candidates that are chosen and not by turns:
@@ -142,10 +197,13 @@ class Matching {
           if (!is_seen) steps.push_back({other(out, next), i, quad, out});
           continue;
         }
-        for (std::size_t s = i; s != 0; s = steps[s].before) take(steps[s].out);
-        for (std::size_t s = i; s != 0; s = steps[s].before) put(steps[s].by);
-        put(quad);
-        return true;
+        std::vector<std::size_t> outs;
+        std::vector<std::size_t> ins{quad};
+        for (std::size_t s = i; s != 0; s = steps[s].before) {
+          outs.push_back(steps[s].out);
+          ins.push_back(steps[s].by);
+        }
+        if (exchange(outs, ins)) return true;
       }
     return false;
   }
@@ -163,11 +221,7 @@ class Matching {
         const double gain = candidates_[left].quality + candidates_[right].quality -
                             candidates_[quad].quality - candidates_[opposite].quality;
         if (!(gain > kLeastGain)) continue;
-        take(quad);
-        take(opposite);
-        put(left);
-        put(right);
-        return true;
+        if (exchange(std::array{quad, opposite}, std::array{left, right})) return true;
       }
     }
     return false;
@@ -179,12 +233,15 @@ class Matching {
   std::vector<std::size_t> start_;
   std::vector<std::size_t> at_;
   std::vector<std::size_t> quad_of_;
+  std::vector<std::int64_t> rooms_;
 };
 
 }  // namespace
 
-std::vector<QuadCandidate> quad_candidates(const mesh::FacetMesh& surface, double quality) {
-  core::expects(quality >= 0 && quality < 1, "a quality in [0, 1)");
+std::vector<QuadCandidate> quad_candidates(const mesh::FacetMesh& surface,
+                                           const QuadLimits& limits) {
+  core::expects(limits.quality >= 0 && limits.quality < 1, "a quality in [0, 1)");
+  core::expects(limits.fold >= 0 && limits.fold <= 180, "a fold from 0 to 180 degrees");
   std::vector<QuadCandidate> result;
   for_each_edge(surface, [&](std::span<const DirectedEdge> sides) {
     for (std::size_t i = 0; i < sides.size(); ++i)
@@ -192,9 +249,10 @@ std::vector<QuadCandidate> quad_candidates(const mesh::FacetMesh& surface, doubl
         const DirectedEdge& e = sides[i];
         const DirectedEdge& f = sides[j];
         if (e.v != f.w || e.apex == f.apex || e.triangle == f.triangle) continue;
-        QuadCandidate quad{{e.v, f.apex, e.w, e.apex}, {e.triangle, f.triangle}, 0};
+        QuadCandidate quad{{e.v, f.apex, e.w, e.apex}, {e.v, e.w}, {e.triangle, f.triangle}, 0};
         quad.quality = quality_of(surface.points, quad.vertices);
-        if (!(quad.quality > quality)) continue;
+        if (!(quad.quality > limits.quality) || fold_of(surface.points, e, f) > limits.fold)
+          continue;
         std::rotate(quad.vertices.begin(),
                     std::min_element(quad.vertices.begin(), quad.vertices.end()),
                     quad.vertices.end());
@@ -215,9 +273,9 @@ std::size_t incoherent_edges(const mesh::FacetMesh& surface) {
   return count;
 }
 
-std::vector<std::size_t> quad_selection(std::span<const QuadCandidate> candidates,
-                                        std::size_t triangles) {
-  Matching matching(candidates, triangles);
+std::vector<std::size_t> quad_selection(const mesh::FacetMesh& surface,
+                                        std::span<const QuadCandidate> candidates) {
+  Matching matching(surface, candidates);
   matching.greedy();
   matching.improve();
   return matching.chosen();

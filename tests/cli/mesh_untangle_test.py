@@ -104,6 +104,32 @@ class Untangle(program.ProgramTest):
             self.assertEqual(said["free_vertices"], free)
             self.assertEqual(self.mesh("out.vtk")[0][-1], (7, 8, 9))
 
+    def test_hexahedra_inside_out_are_turned_over(self):
+        rng = random.Random(5)
+        _, _, text = grid(3, lambda p: tuple(3 * rng.random() for _ in p))
+        head, cells = text.split("Hexahedra\n27\n")
+        turned = [line.split() for line in cells.splitlines()[:27]]
+        turned = [" ".join(line[4:8] + line[0:4] + line[8:]) for line in turned]
+        self.write("in.mesh", head + "\n".join(["Hexahedra", "27", *turned, "End", ""]))
+        ran = self.expect(0, self.hexatlas("mesh", "untangle", "in.mesh", "-o", "out.vtk", "--require-valid"))
+        self.assertIn("note: the hexahedra of in.mesh are inside out", ran.err)
+        self.write("right.mesh", text)
+        self.assertEqual(self.expect(0, self.hexatlas("mesh", "untangle", "right.mesh", "-o", "out.vtk")).err, "")
+
+    def test_hexahedra_that_overlap_wherever_they_are_placed(self):
+        _, _, text = grid(2, lambda p: p)
+        head, cells = text.split("Hexahedra\n8\n")
+        lines = cells.splitlines()[:8]
+        first = lines[0].split()
+        for name, cell, words in (("twice.mesh", lines[0], "on the same side"),
+                                  ("turned.mesh", " ".join(first[4:8] + first[0:4] + first[8:]), "on the same side"),
+                                  ("twisted.mesh", " ".join(first[:5] + [first[6], first[5]] + first[7:]), "different cycles")):
+            listed = [*lines, cell] if name == "twice.mesh" else [cell, *lines[1:]]
+            self.write(name, head + "\n".join(["Hexahedra", str(len(listed)), *listed, "End", ""]))
+            ran = self.hexatlas("mesh", "untangle", name, "-o", "out.vtk")
+            self.expect_fault(ran, name)
+            self.assertIn(words, ran.err)
+
     def test_bad_meshes(self):
         self.write("two.mesh", grid(1, None)[2].replace("1 2 4 3", "1 2 4 1"))
         self.expect_fault(self.hexatlas("mesh", "untangle", "two.mesh", "-o", "out.vtk"), "two.mesh")

@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// The quads of the hexahedra of a mesh: which points are inside, whether hexahedra that share a
+/// quad lie on its two sides, and how much the others enclose.
+///
+/// Requires indices below points.size() and eight distinct ones for each hexahedron.
+/// Cost: that of sorting six quads for each hexahedron.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "meshing/mesh/mesh.hpp"
+
+namespace hexatlas::quality {
+
+/// 1 for each point that is a vertex of a hexahedron.
+[[nodiscard]] std::vector<std::uint8_t> points_of_cells(const mesh::HexMesh& mesh);
+
+/// 1 for each point that has quads, all of them in two hexahedra.
+[[nodiscard]] std::vector<std::uint8_t> interior_points(const mesh::HexMesh& mesh);
+
+/// Why the hexahedra are none of a mesh: three have the same four vertices as a quad, or two have
+/// it as different cycles, or both on the same side, so that they overlap however they are placed.
+[[nodiscard]] std::optional<std::string> fault_of_sides(const mesh::HexMesh& mesh);
+
+/// The volume within the quads that only one hexahedron has, each cut in two triangles: negative
+/// where the hexahedra are inside out, all of them. In double precision, with no promise of a sign
+/// near zero.
+[[nodiscard]] double enclosed_volume(const mesh::HexMesh& mesh);
+
+}  // namespace hexatlas::quality

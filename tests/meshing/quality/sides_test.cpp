@@ -1,0 +1,71 @@
+// Claim. interior_points() are the inner points of a lattice of cubes; enclosed_volume() is that of
+// the lattice, wherever these are, negative if the cubes are inside out; fault_of_sides() tells
+// what kind of overlap no places can mend, and nothing of a lattice. Oracle. What is known of a
+// lattice.
+#include "meshing/quality/sides.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+
+#include "enum/cells/cube.hpp"
+
+namespace hexatlas {
+namespace {
+
+/// n^3 cubes; the inner points anywhere.
+mesh::HexMesh lattice(mesh::Index n, std::mt19937_64& random) {
+  mesh::HexMesh mesh;
+  const mesh::Index m = n + 1;
+  const auto unit = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
+  for (mesh::Index i = 0; i < m * m * m; ++i) {
+    const std::array<mesh::Index, 3> at{i % m, i / m % m, i / (m * m)};
+    const bool is_inner = std::all_of(at.begin(), at.end(), [n](auto k) { return k > 0 && k < n; });
+    mesh.points.push_back({at[0] + (is_inner ? unit() : 0), at[1] + (is_inner ? unit() : 0),
+                           at[2] + (is_inner ? unit() : 0)});
+    if (std::any_of(at.begin(), at.end(), [n](auto k) { return k == n; })) continue;
+    mesh.hexahedra.push_back(
+        {i, i + 1, i + m, i + m + 1, i + m * m, i + m * m + 1, i + m * m + m, i + m * m + m + 1});
+  }
+  return mesh;
+}
+
+TEST(Sides, OfLattices) {
+  std::mt19937_64 random(1);
+  for (const mesh::Index n : {1U, 2U, 3U, 5U}) {
+    mesh::HexMesh mesh = lattice(n, random);
+    EXPECT_EQ(quality::fault_of_sides(mesh), std::nullopt);
+    const auto is_interior = quality::interior_points(mesh);
+    EXPECT_EQ(std::count(is_interior.begin(), is_interior.end(), 1), (n - 1) * (n - 1) * (n - 1));
+    EXPECT_NEAR(quality::enclosed_volume(mesh), n * n * n, 1e-9);
+    for (auto& cell : mesh.hexahedra) cells::exchange_axes(cell);
+    EXPECT_EQ(quality::fault_of_sides(mesh), std::nullopt);
+    EXPECT_NEAR(quality::enclosed_volume(mesh), -static_cast<double>(n * n * n), 1e-9);
+    mesh.points.push_back({});
+    EXPECT_EQ(quality::points_of_cells(mesh).back(), 0);
+    EXPECT_EQ(quality::interior_points(mesh).back(), 0);
+  }
+}
+
+TEST(Sides, FaultsAreTold) {
+  std::mt19937_64 random(2);
+  const mesh::HexMesh good = lattice(2, random);
+  mesh::HexMesh bad = good;
+  cells::exchange_axes(bad.hexahedra[3]);
+  EXPECT_NE(quality::fault_of_sides(bad)->find("on the same side of"), std::string::npos);
+  bad = good;
+  std::swap(bad.hexahedra[0][1], bad.hexahedra[0][3]);
+  EXPECT_NE(quality::fault_of_sides(bad)->find("in different cycles"), std::string::npos);
+  bad = good;  // a third one at the quad x = 1 of the first
+  auto cell = good.hexahedra[0];
+  for (const std::size_t corner : {0U, 2U, 4U, 6U})
+    cell[corner] = static_cast<mesh::Index>(bad.points.size() + corner / 2);
+  bad.points.resize(bad.points.size() + 4);
+  bad.hexahedra.push_back(cell);
+  EXPECT_EQ(quality::fault_of_sides(bad), "the quad 1 4 13 10 is in 3 hexahedra");
+}
+
+}  // namespace
+}  // namespace hexatlas
