@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
@@ -10,6 +11,7 @@
 #include <sstream>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "cli/command_line_parts.hpp"
@@ -176,6 +178,19 @@ std::function<std::string(const std::string&)> number_between(double least, doub
     const double value = std::strtod(text.c_str(), &end);
     if (!text.empty() && *end == '\0' && value >= least && value <= greatest) return {};
     return fmt::format("{} is no number from {:g} to {:g}", text, least, greatest);
+  };
+}
+
+std::function<std::string(const std::string&)> ends_in(std::vector<std::string> endings) {
+  return [endings = std::move(endings)](const std::string& file) -> std::string {
+    std::string lower = file;
+    std::transform(lower.begin(), lower.end(), lower.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const bool is_named_so =
+        std::any_of(endings.begin(), endings.end(),
+                    [&](const std::string& ending) { return lower.ends_with(ending); });
+    if (file.empty() || file == "-" || is_named_so) return {};
+    return file + " does not end in " + fmt::format("{}", fmt::join(endings, " or "));
   };
 }
 

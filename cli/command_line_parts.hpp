@@ -28,6 +28,11 @@ using Action = std::function<ExitCode()>;
 [[nodiscard]] std::function<std::string(const std::string&)> number_between(double least,
                                                                             double greatest);
 
+/// For an option that names a file to write: what of the endings it may have, or - for standard
+/// output.
+[[nodiscard]] std::function<std::string(const std::string&)> ends_in(
+    std::vector<std::string> endings);
+
 /// Wrong usage: an output in the place of the input, or of another output, would be lost.
 void expect_different_files(const NamedFile& input, const std::vector<NamedFile>& outputs);
 

@@ -92,10 +92,16 @@ void add_view(CLI::App& app, Action& action) {
           "Hexahedral or hybrid mesh or surface of triangles and quads: .vtu .vtk .mesh .msh .obj "
           ".off, or - for standard input")
       ->required();
-  command->add_option("-o,--output", options->output,
-                      "Page to write (.html), or - for standard output");
-  command->add_option("--png", options->png,
-                      "Picture to write; made by Chromium, the variable CHROMIUM or in PATH");
+  command
+      ->add_option("-o,--output", options->output,
+                   "Page to write (.html), or - for standard output")
+      ->check(ends_in({".html", ".htm"}));
+  command
+      ->add_option("--png", options->png,
+                   "Picture to write (.png), or - for standard output; made by Chromium, the "
+                   "variable CHROMIUM or in "
+                   "PATH")
+      ->check(ends_in({".png"}));
   add_slice(*command, state);
   command
       ->add_option("--explode", state.explode,

@@ -116,6 +116,9 @@ std::string summary(const HybridAccount& account, const std::string& output) {
                   counted(account.candidates[2], "pyramid", "pyramids"), account.quality,
                   account.search_seconds,
                   counted(static_cast<std::size_t>(account.threads), "thread", "threads"));
+  if (account.undecided > 0)
+    text += fmt::format("{} left out, not decided to be valid or not\n",
+                        counted(account.undecided, "hexahedron", "hexahedra"));
   text += classes_line(account.classes);
   if (!account.combined) return text;
   const hybrid::Combined& combined = *account.combined;

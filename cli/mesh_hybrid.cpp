@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <variant>
 
@@ -30,6 +32,14 @@ hybrid::TetGraph graph_of(const mesh::TetModel& model, const std::string& name) 
   if (const auto* fault = std::get_if<complex::BrokenLaw>(&graph))
     throw core::InvalidInput(name, fault->reason);
   return std::move(std::get<hybrid::TetGraph>(graph));
+}
+
+/// Whether it has several regions or surfaces, of which a mesh that is written knows nothing.
+bool has_parts(const mesh::TetModel& model) {
+  const auto differ = [](const std::vector<std::uint32_t>& of) {
+    return std::adjacent_find(of.begin(), of.end(), std::not_equal_to<>()) != of.end();
+  };
+  return differ(model.regions) || differ(model.colours);
 }
 
 /// The tetrahedra of the file, or those inside its surface.
@@ -116,6 +126,9 @@ ExitCode mesh_hybrid(const MeshHybridOptions& options) {
   if (!is_counted) make_mesh(options, graph, candidates, account);
   account.seconds = seconds() - start;
   if (!is_counted) write_hybrid(options.output, account.combined->mesh);
+  if (!is_counted && has_parts(model))
+    say("note: no cell crosses from one region of " + input_name(options.input) +
+        " to another, or a coloured triangle; the output does not name them");
   const std::string& stream = options.candidates == "-" ? options.candidates : options.output;
   tell(stream, options.json ? json_line(account) : summary(account, options.output));
   return ExitCode::yes;

@@ -15,6 +15,7 @@
 #include "meshing/hexahedrize/placing.hpp"
 #include "meshing/io/mesh_files.hpp"
 #include "meshing/quality/report.hpp"
+#include "meshing/quality/sides.hpp"
 #include "tables/check/mesh_check.hpp"
 
 namespace hexatlas::cli {
@@ -37,6 +38,25 @@ Start start_of(const mesh::HexMesh& mesh) {
   start.boundary.quads = complex::boundary_of(start.mesh);
   for (const complex::VertexId v : outer) start.boundary.points.push_back(mesh.points[v]);
   return start;
+}
+
+/// Leaves out points of no hexahedron, which are no vertices of the mesh; says so.
+mesh::HexMesh without_unused_points(mesh::HexMesh mesh, const std::string& file) {
+  const std::vector<std::uint8_t> is_used = quality::points_of_cells(mesh);
+  std::vector<mesh::Index> number(mesh.points.size());
+  std::vector<mesh::Point> points;
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    number[v] = static_cast<mesh::Index>(points.size());
+    if (is_used[v] != 0) points.push_back(mesh.points[v]);
+  }
+  const std::size_t unused = mesh.points.size() - points.size();
+  if (unused == 0) return mesh;
+  for (auto& cell : mesh.hexahedra)
+    for (mesh::Index& v : cell) v = number[v];
+  mesh.points = std::move(points);
+  say(fmt::format("note: {} of {} in no hexahedron, left out", counted(unused, "point", "points"),
+                  file));
+  return mesh;
 }
 
 /// Whether the judge shows the mesh to be a ball; it may be undecided about that. Throws
@@ -107,8 +127,8 @@ ExitCode simplify_mesh(const SimplifyOptions& options) {
   if (!are_distinct({options.input, options.output, {}}, "MESH", "simplify"))
     return ExitCode::usage;
   expect_mesh_writable(options.output);
-  const mesh::HexMesh given = io::read_hexahedra(options.input);
   const std::string name = input_name(options.input);
+  const mesh::HexMesh given = without_unused_points(io::read_hexahedra(options.input), name);
   if (!is_shown_ball(given, name))
     say("note: that " + name + " is a ball was not shown; what is written is homeomorphic to it");
   const Start start = start_of(given);

@@ -3,13 +3,14 @@
 /// The judge's own readers of mesh files. They share no code with the readers of the mesher, so
 /// that an error of those cannot hide itself.
 ///
-/// Formats, by the ending of the name, in either case: `.vtk` (legacy, ASCII, versions 2.0, 3.0,
-/// 4.2, 5.1, UNSTRUCTURED_GRID), `.vtu` (ASCII; base64 inline; appended raw or base64; uncompressed
-/// or zlib; little-endian), `.mesh` (MEDIT, ASCII), `.msh` (Gmsh 2.2 and 4.1, ASCII), for
-/// tetrahedra also `.hxtet` (docs/formats/hxtet.md), for surfaces also `.obj` and `.off`, for
-/// points alone also these two with any records, `.ply` (ASCII, little-endian binary), `.xyz`
-/// (text, three numbers a line, '#' comments) and `.bin` (consecutive little-endian doubles x y z).
-/// Where the name has no ending (a pipe, standard input) the first bytes decide: `# vtk DataFile`,
+/// Formats, by the ending of the name, in either case: `.vtk` (legacy, ASCII or binary,
+/// versions 2.0, 3.0, 4.2, 5.1, UNSTRUCTURED_GRID; surfaces also POLYDATA), `.vtu` (ASCII; base64
+/// inline; appended raw or base64; uncompressed or zlib; little-endian), `.mesh` (MEDIT, ASCII),
+/// `.msh` (Gmsh 2.2 and 4.1, ASCII), for tetrahedra also `.hxtet` (docs/formats/hxtet.md), for
+/// surfaces also `.obj` and `.off`, for points alone also these two with any records, `.ply`
+/// (ASCII, little-endian binary), `.xyz` (text, three numbers a line, '#' comments) and `.bin`
+/// (consecutive little-endian doubles x y z). Where the name has no ending (a pipe, standard input)
+/// the first bytes decide: `# vtk DataFile`,
 /// `<?xml` or `<VTKFile`, `MeshVersionFormatted`, `$MeshFormat`, `HXTET`, `OFF`, `ply`; a surface
 /// that begins otherwise is OBJ, points that do are `.xyz`.
 ///

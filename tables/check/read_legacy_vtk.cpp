@@ -20,6 +20,10 @@ constexpr std::array<ShapeNumber, 8> kVtkShapes = {{{1, Shape::kVertex},
                                                     {13, Shape::kWedge},
                                                     {14, Shape::kPyramid}}};
 
+constexpr std::uint64_t kTriangle = 5;
+constexpr std::uint64_t kPolygon = 7;
+constexpr std::uint64_t kQuad = 9;
+
 /// The bits of a number, most significant byte first.
 template <class Bits>
 Bits big_endian(std::string_view bytes) {
@@ -152,11 +156,48 @@ void read_types(Scanner& in, bool binary, VtkCells& cells) {
   }
 }
 
-/// How the numbers are written.
+/// How the numbers are written, and of what.
 struct Style {
   bool rows = true;  ///< of cells, as before version 5
   bool binary = false;
+  bool polygons = false;  ///< POLYDATA: cells without types, in sections by dimension
 };
+
+void read_cells(Scanner& in, Style style, VtkCells& cells) {
+  if (!style.rows) {
+    read_offsets_and_connectivity(in, style.binary, cells);
+  } else if (style.binary) {
+    read_binary_rows(in, cells);
+  } else {
+    read_rows(in, cells);
+  }
+}
+
+/// By their numbers of vertices; what is neither triangle nor quad has the type that is refused.
+void give_types_to_polygons(VtkCells& cells) {
+  for (std::size_t i = 1; i < cells.offsets.size(); ++i) {
+    const std::uint64_t size = cells.offsets[i] - cells.offsets[i - 1];
+    cells.types.push_back(size == 3 ? kTriangle : size == 4 ? kQuad : kPolygon);
+  }
+}
+
+/// Whether it is one that POLYDATA has instead of cells with types.
+bool read_section_of_polygons(Scanner& in, Style style, std::string_view keyword, Sections& seen,
+                              VtkCells& cells) {
+  if (!style.polygons) return false;
+  if (keyword == "POLYGONS") {
+    once(in, seen.cells, keyword);
+    seen.types = true;
+    read_cells(in, style, cells);
+    give_types_to_polygons(cells);
+    return true;
+  }
+  if (keyword != "VERTICES" && keyword != "LINES") return false;
+  VtkCells no_part_of_a_surface;
+  no_part_of_a_surface.offsets = {0};
+  read_cells(in, style, no_part_of_a_surface);
+  return true;
+}
 
 /// True when only attributes follow; they carry no part of the mesh.
 bool read_section(Scanner& in, Style style, Sections& seen, Draft& draft, VtkCells& cells) {
@@ -164,16 +205,12 @@ bool read_section(Scanner& in, Style style, Sections& seen, Draft& draft, VtkCel
   if (keyword == "POINTS") {
     once(in, seen.points, keyword);
     read_points(in, style.binary, draft);
-  } else if (keyword == "CELLS") {
+  } else if (read_section_of_polygons(in, style, keyword, seen, cells)) {
+    return false;
+  } else if (keyword == "CELLS" && !style.polygons) {
     once(in, seen.cells, keyword);
-    if (!style.rows) {
-      read_offsets_and_connectivity(in, style.binary, cells);
-    } else if (style.binary) {
-      read_binary_rows(in, cells);
-    } else {
-      read_rows(in, cells);
-    }
-  } else if (keyword == "CELL_TYPES") {
+    read_cells(in, style, cells);
+  } else if (keyword == "CELL_TYPES" && !style.polygons) {
     once(in, seen.types, keyword);
     read_types(in, style.binary, cells);
   } else if (keyword == "METADATA") {
@@ -233,19 +270,19 @@ Draft parse_legacy_vtk(const std::string& name, std::string_view bytes, Wanted w
   in.skip_line();
   in.skip_line();
   const bool binary = in.peek() == "BINARY";
-  for (const std::string_view word :
-       {binary ? "BINARY" : "ASCII", "DATASET", "UNSTRUCTURED_GRID"}) {
-    in.expect(word);
-  }
+  for (const std::string_view word : {binary ? "BINARY" : "ASCII", "DATASET"}) in.expect(word);
+  const bool polygons = in.peek() == "POLYDATA";
+  in.expect(polygons ? "POLYDATA" : "UNSTRUCTURED_GRID");
   Draft draft(wanted);
   VtkCells cells;
   cells.offsets = {0};
   Sections seen;
   while (!in.at_end()) {
-    if (read_section(in, {rows, binary}, seen, draft, cells)) break;
+    if (read_section(in, {rows, binary, polygons}, seen, draft, cells)) break;
   }
   if (!seen.points || !seen.cells || !seen.types) {
-    in.fail("POINTS, CELLS and CELL_TYPES must all be present");
+    in.fail(polygons ? "POINTS and POLYGONS must both be present"
+                     : "POINTS, CELLS and CELL_TYPES must all be present");
   }
   add_vtk_cells(cells, draft, [&in](const std::string& reason) { in.fail(reason); });
   return draft;

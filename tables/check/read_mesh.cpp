@@ -40,7 +40,7 @@ std::string announced_ending(const std::string& name, std::string_view bytes) {
   if (first.starts_with("<?xml") || first.starts_with("<VTKFile")) return ".vtu";
   if (first == "MeshVersionFormatted") return ".mesh";
   if (first == "$MeshFormat") return ".msh";
-  if (first == "OFF") return ".off";
+  if (first == "OFF" || first == "COFF") return ".off";
   if (first == "ply") return ".ply";
   return ".obj";
 }

@@ -83,7 +83,7 @@ std::vector<Point> parse_xyz(const std::string& name, std::string_view bytes) {
   Scanner in(name, bytes, '#');
   std::vector<Point> points;
   for (auto words = in.line_of_words(); !words.empty(); words = in.line_of_words()) {
-    if (words.size() != 3) in.fail("a line has not three numbers");
+    if (words.size() < 3) in.fail("a line has not three numbers");
     points.push_back({in.real_from(words[0]), in.real_from(words[1]), in.real_from(words[2])});
   }
   return points;
@@ -100,7 +100,7 @@ WeightedPoints parse_weighted_xyz(const std::string& name, std::string_view byte
   Scanner in(name, bytes, '#');
   WeightedPoints result;
   for (auto words = in.line_of_words(); !words.empty(); words = in.line_of_words()) {
-    if (words.size() != 4) in.fail("a line has not four numbers");
+    if (words.size() < 4) in.fail("a line has not four numbers");
     result.points.push_back(
         {in.real_from(words[0]), in.real_from(words[1]), in.real_from(words[2])});
     result.weights.push_back(in.real_from(words[3]));

@@ -32,13 +32,17 @@ Point obj_point(const Scanner& in, const Words& words) {
   return {in.real_from(words[1]), in.real_from(words[2]), in.real_from(words[3])};
 }
 
-/// The heading with the number of faces, and the points.
+/// The heading with the number of faces, and the points; those of COFF have colours behind them.
 std::vector<Point> off_points(Scanner& in, std::uint64_t& faces) {
-  in.expect("OFF");
+  const bool has_colours = in.peek() == "COFF";
+  in.expect(has_colours ? "COFF" : "OFF");
   std::vector<Point> points(in.count(6));
   faces = in.count(8);
   static_cast<void>(in.natural());
-  for (Point& point : points) point = in.point();
+  for (Point& point : points) {
+    point = in.point();
+    if (has_colours) static_cast<void>(in.skip_line());
+  }
   return points;
 }
 

@@ -145,6 +145,8 @@ class MeshHybridTest(program.ProgramTest):
         points, cells = kuhn(1)
         self.write("regions.mesh", medit(points, cells, [1, 1, 1, 2, 1, 1]))
         self.assertEqual(self.counts("regions.mesh")["candidates"]["hexahedra"], 0)
+        ran = self.succeeds("mesh", "hybrid", "regions.mesh", "-o", "regions.vtk")
+        self.assertIn("the output does not name them", ran.err)
 
     def box(self, sides, cut=False):
         """The surface of a box of unit squares, each cut in two."""

@@ -105,6 +105,16 @@ class Simplify(program.ProgramTest):
         self.assertEqual(self.simplified()["after"], 2)
         self.assertGreater(self.simplified("--parts", "--cavity", "8")["after"], 2)
 
+    def test_points_of_no_hexahedron_are_left_out(self):
+        points, cells = self.table_mesh("two-cubes")
+        lonely = [(9.0, 9.0, 9.0), *points[:5], (8.0, 8.0, 8.0), *points[5:]]
+        number = [v + (1 if v < 5 else 2) for v in range(len(points))]
+        self.write("in.vtk", vtk(lonely, [[number[v] for v in cell] for cell in cells]))
+        ran = self.expect(0, self.hexatlas("simplify", "in.vtk", "-o", "out.vtk"))
+        self.assertIn("note: 2 points of in.vtk in no hexahedron, left out", ran.err)
+        made = hex_files.read_vtk(self.read("out.vtk").decode())
+        self.assertEqual((len(made[0]), len(made[1])), (12, 2))
+
     def test_bad_input(self):
         mesh = self.table_mesh("two-cubes")
         for cells in (mesh[1] + mesh[1][:1], [mesh[1][0], mesh[1][1][4:] + mesh[1][1][:4]]):

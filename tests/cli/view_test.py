@@ -239,6 +239,11 @@ class Refusals(program.ProgramTest):
         self.assertEqual(self.listing(), self.before)
         super().tearDown()
 
+    def test_files_have_the_endings_of_their_formats(self):
+        for options in (("-o", "page.png"), ("--png", "picture.html"), ("-o", "page")):
+            ran = self.expect(2, self.hexatlas("view", "grid.vtk", *options))
+            self.assertIn("does not end in ", ran.err)
+
     def test_usage(self):
         before = self.read("grid.vtk")
         for options in ((), ("-o", "grid.vtk"), ("--png", "./grid.vtk"), ("-o", "a", "--png", "a"),

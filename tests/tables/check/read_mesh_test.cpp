@@ -318,6 +318,42 @@ TEST(ReadMesh, RefusesMalformedPolygons) {
   expect_malformed("a.stl", "solid\n", "a mesh file ends in");
 }
 
+TEST(ReadMesh, ReadsSurfacesWithColoursAndPolyData) {
+  const Surface square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}};
+  const std::string head = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\n";
+  const std::string points = "POINTS 4 double\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  const std::string polygons = "POLYGONS 1 5\n4 0 1 2 3\n";
+  const std::string newer =
+      "# vtk DataFile Version 5.1\ntitle\nASCII\nDATASET POLYDATA\n" + points +
+      "POLYGONS 2 4\nOFFSETS vtktypeint64\n0 4\nCONNECTIVITY vtktypeint64\n0 1 2 3\n";
+  for (const auto& [name, bytes] :
+       {std::pair{"a.off",
+                  std::string("COFF\n4 1 0\n0 0 0 1 2 3\n1 0 0 1 2 3 4\n1 1 0 0 0 0\n0 1 0 0 0 0\n"
+                              "4 0 1 2 3 1 0 0\n")},
+        std::pair{"a.vtk", head + points + polygons},
+        std::pair{"a.vtk", head + points + "VERTICES 1 2\n1 0\nLINES 1 3\n2 0 1\n" + polygons +
+                               "CELL_DATA 1\nSCALARS x int\n"},
+        std::pair{"a.vtk", newer}}) {
+    const Surface read = parse_surface(name, bytes);
+    EXPECT_EQ(read.points, square.points);
+    EXPECT_EQ(read.quads, square.quads);
+  }
+  const auto bad = [](const std::string& bytes, const std::string& reason) {
+    try {
+      static_cast<void>(parse_surface("a.vtk", bytes));
+      ADD_FAILURE() << "accepted: " << bytes;
+    } catch (const Malformed& error) {
+      EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
+    }
+  };
+  bad(head + points, "POINTS and POLYGONS must both be present");
+  bad(head + points + polygons + polygons, "POLYGONS occurs twice");
+  bad(head + points + "POLYGONS 1 6\n5 0 1 2 3 0\n", "type 7");
+  bad(head + points + "POLYGONS 1 5\n4 0 1 2 4\n", "point 4 is not among");
+  bad(head + points + "CELLS 1 5\n4 0 1 2 3\n", "misplaced keyword 'CELLS'");
+  bad(head + points + "TRIANGLE_STRIPS 1 5\n4 0 1 2 3\n", "'TRIANGLE_STRIPS'");
+}
+
 TEST(ReadMesh, TellsFormatsApartByTheirFirstBytes) {
   const Mesh wanted = sample();
   for (const auto& [name, write] : examples::kMeshFormats) {

@@ -35,6 +35,7 @@ TEST(ReadPoints, FindsThem) {
   // Polygons of any kind, which a surface of quads could not have.
   EXPECT_EQ(parse_points("a.obj", "v 0 0 1\nv 0 1 0\nv 1 0 0\nf 1 2 3\nl 1 2\n").size(), 3U);
   EXPECT_EQ(parse_points("a.off", "OFF\n3 1 0\n0 0 1\n0 1 0\n1 0 0\n3 0 1 2\n").size(), 3U);
+  EXPECT_EQ(parse_points("a.xyz", "0 0 1 255 red\n0 1 0\n").size(), 2U);  // colours
   // Standard input and pipes have no ending.
   EXPECT_EQ(bits_of(parse_points("pipe", kPlyAscii)), bits(kPoints));
   EXPECT_EQ(bits_of(parse_points("pipe", kOff)), bits(kPoints));

@@ -313,7 +313,7 @@ TEST(RegularCheck, ReadsWeights) {
   EXPECT_EQ(parse_weighted_points("pipe", "1 2 3 4").weights, (std::vector<double>{4}));
   EXPECT_THROW((void)parse_weighted_points("a.bin", bytes().substr(8)), Malformed);
   EXPECT_THROW((void)parse_weighted_points("a.xyz", "1 2 3\n"), Malformed);
-  EXPECT_THROW((void)parse_weighted_points("a.xyz", "1 2 3 4 5\n"), Malformed);
+  EXPECT_EQ(parse_weighted_points("a.xyz", "1 2 3 4 5 red\n").weights, std::vector<double>{4});
   EXPECT_THROW((void)parse_weighted_points("a.xyz", "1 2 3 inf\n"), Malformed);
   EXPECT_THROW((void)parse_weighted_points("a.ply", "ply\n"), Malformed);
   numbers[3] = std::nan("");
