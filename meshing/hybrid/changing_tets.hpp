@@ -1,9 +1,12 @@
 #pragma once
 /// \file
-/// Private to meshing/hybrid: tetrahedra of which some belong to cells and some are replaced.
+/// Private to meshing/hybrid: tetrahedra of which some belong to cells and some are replaced. What
+/// replaces them is of their region, and no facet between regions, or of a surface, is replaced.
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -32,7 +35,7 @@ class ChangingTets {
   static constexpr Owner kGone = 0xFFFF'FFFE;     ///< replaced
   static constexpr Owner kPyramid = 0xFFFF'FFFD;  ///< half of an inserted pyramid
 
-  explicit ChangingTets(const TetGraph& graph) : tets_(graph), owner_(graph.size(), kFree) {}
+  explicit ChangingTets(const TetGraph& graph);
 
   [[nodiscard]] std::size_t size() const noexcept { return tets_.size(); }
   [[nodiscard]] const Tetrahedron& operator[](TetIndex t) const noexcept { return tets_[t]; }
@@ -41,10 +44,13 @@ class ChangingTets {
   }
   [[nodiscard]] Owner owner(TetIndex t) const noexcept { return owner_[t]; }
   void own(TetIndex t, Owner owner) noexcept { owner_[t] = owner; }
+  [[nodiscard]] std::uint32_t region(TetIndex t) const noexcept { return regions_[t]; }
+  /// Whether the facet has to stay: it is on the boundary, between two regions, or on a surface.
+  [[nodiscard]] bool has_to_stay(Side side) const;
 
   /// The tetrahedra around the edge p r, from the triangle p r `from` of the tetrahedron `first`
   /// on, to the triangle p r `to`. If one is not free, the answer is its owner; kGone, which none
-  /// has, stands for the outside.
+  /// has, stands for the outside, and for what lies beyond a facet that has to stay.
   struct FanAnswer {
     Fan fan;
     std::optional<Owner> obstacle;
@@ -52,13 +58,16 @@ class ChangingTets {
   [[nodiscard]] FanAnswer fan(Index p, Index r, Index from, Index to, TetIndex first) const;
 
   /// Puts tetrahedra in the place of others with the same union, each with its owner.
-  /// Requires that the boundary of both is the same.
+  /// Requires that the boundary of both is the same, and that no facet between the old ones has to
+  /// stay.
   void replace(std::span<const TetIndex> old, std::span<const Tetrahedron> fresh,
                std::span<const Owner> owners);
 
  private:
   GluedTets tets_;
   std::vector<Owner> owner_;
+  std::vector<std::uint32_t> regions_;
+  std::set<std::array<Index, 3>> on_surfaces_;  ///< triangles inside, vertices ascending
 };
 
 }  // namespace hexatlas::hybrid

@@ -221,14 +221,18 @@ class Attempt {
         const TetIndex beyond = tets_.across({t, facet});
         if (is_in(beyond) || is_on(q, {t, facet})) continue;
         if (is_valid(corners_of(with_apex({t, facet}, apex)))) continue;
-        if (beyond == TetGraph::kOutside || tets_.owner(beyond) != ChangingTets::kFree ||
+        if (tets_.has_to_stay({t, facet}) || tets_.owner(beyond) != ChangingTets::kFree ||
             result.old.size() == kMost)
           return std::nullopt;
         result.old.push_back(beyond);
       }
     for (const TetIndex t : result.old)
       for (unsigned facet = 0; facet < 4; ++facet) {
-        if (is_in(tets_.across({t, facet})) || is_on(q, {t, facet})) continue;
+        if (is_in(tets_.across({t, facet}))) {
+          if (tets_.has_to_stay({t, facet})) return std::nullopt;
+          continue;
+        }
+        if (is_on(q, {t, facet})) continue;
         result.fresh.push_back(with_apex({t, facet}, apex));
         result.quality = std::min(result.quality, quality_of(result.fresh.back()));
       }

@@ -6,10 +6,11 @@
 /// edge, the diagonal, are replaced. If they are two, by the pyramid over the quad that they form.
 /// Otherwise by a pyramid whose apex is a new point near the quad, and by the tetrahedra between
 /// that point and the facets around; where it does not see a facet from inside, what lies beyond
-/// is replaced, too. Of some places for the point the one is taken with the best worst cell. If a
-/// cell is in the way, or no place makes all new cells valid, which is decided exactly, one of the
-/// cells is given up and becomes tetrahedra again. What is left is conforming: in the end at least
-/// the tetrahedra. No vertex is lost but those inside a cell.
+/// is replaced, too. Facets between regions, and those on surfaces, stay. Of some places for the
+/// point the one is taken with the best worst cell. If a cell or such a facet is in the way, or no
+/// place makes all new cells valid, which is decided exactly, one of the cells is given up and
+/// becomes tetrahedra again. What is left is conforming: in the end at least the tetrahedra. No
+/// vertex is lost but those inside a cell.
 ///
 /// Cost: linear in the mesh for each time that cells are given up.
 /// Not promised: that fewest cells are given up; quality of the new cells.

@@ -68,7 +68,8 @@ bool Filler::cross(Work& work, TetIndex t, unsigned facet) const {
   for (unsigned i = 0; i < 4; ++i)
     if (i != facet) set |= bit(vertices[i]);
   const std::uint8_t face = set < 256 ? work.shape.face_of[set] : kNoFace;
-  if (face == kNoFace) return beyond != TetGraph::kOutside && visit(work, beyond);
+  if (face == kNoFace)
+    return beyond != TetGraph::kOutside && graph_->colour(t, facet) == 0 && visit(work, beyond);
   if (work.count[face] == work.shape.sizes[face] - 2) return false;
   work.on[face][work.count[face]++] = {set, beyond == TetGraph::kOutside, graph_->colour(t, facet)};
   ++work.triangles;

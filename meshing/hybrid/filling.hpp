@@ -66,9 +66,10 @@ class Filler {
   explicit Filler(const TetGraph& graph)
       : graph_(&graph), corner_of_(graph.points().size(), kNone) {}
 
-  /// The filling from `start` if it is accepted, all its tetrahedra have one region, the two
-  /// triangles of each quad have one colour and are both or neither on the boundary of the mesh,
-  /// and the numbers of tetrahedra are those of the shape.
+  /// The filling from `start` if it is accepted, all its tetrahedra have one region, no facet
+  /// between two of them is on a surface, the two triangles of each quad have one colour and are
+  /// both or neither on the boundary of the mesh, and the numbers of tetrahedra are those of the
+  /// shape.
   [[nodiscard]] std::optional<Filling> filling(const CellShape& shape,
                                                std::span<const Index> vertices, TetIndex start);
 

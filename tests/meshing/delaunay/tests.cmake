@@ -10,7 +10,7 @@ hexatlas_tests(meshing_delaunay threads
   SOURCES handover_test.cpp threads_test.cpp
   USES meshing_delaunay realize_exact enum_parallel)
 if(TARGET hexatlas_cgal)
-  hexatlas_tests(meshing_delaunay_cgal fast
+  hexatlas_tests(meshing_delaunay_cgal long
     SOURCES cgal_test.cpp cgal_weighted_test.cpp
     APART cgal_test.cpp | cgal_weighted_test.cpp
     USES meshing_delaunay hexatlas_cgal)

@@ -16,6 +16,7 @@
 #include "tables/check/hybrid_check.hpp"
 #include "tests/meshing/hybrid/kuhn.hpp"
 #include "tests/meshing/hybrid/oracle.hpp"
+#include "tests/share.hpp"
 
 namespace hexatlas {
 namespace {
@@ -237,6 +238,70 @@ TEST(Conforming, TellsHowFarItIs) {
   EXPECT_EQ(watched.mesh.tetrahedra, unwatched.mesh.tetrahedra);
   EXPECT_EQ(watched.mesh.points, unwatched.mesh.points);
   EXPECT_GT(std::count(told.begin(), told.end(), 0U), 1);
+}
+
+/// Triangles of the mesh, and those that a quad may stand for.
+std::set<std::set<mesh::Index>> triangles_of(const mesh::HybridMesh& mesh) {
+  std::set<std::set<mesh::Index>> triangles;
+  const auto add = [&](const auto& cell, std::initializer_list<std::array<std::size_t, 4>> facets) {
+    for (const auto& f : facets)  // the fourth is the third of a triangle
+      for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+        std::set<mesh::Index> triangle;
+        for (std::size_t i = 0; i < 4; ++i)
+          if (i != left_out) triangle.insert(cell[f[i]]);
+        if (triangle.size() == 3) triangles.insert(triangle);
+      }
+  };
+  for (const auto& t : mesh.tetrahedra)
+    add(t, {{1, 2, 3, 3}, {0, 2, 3, 3}, {0, 1, 3, 3}, {0, 1, 2, 2}});
+  for (const auto& h : mesh.hexahedra)
+    add(h, {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
+  for (const auto& p : mesh.prisms)
+    add(p, {{0, 1, 2, 2}, {3, 4, 5, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}});
+  for (const auto& y : mesh.pyramids)
+    add(y, {{0, 1, 2, 3}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}});
+  return triangles;
+}
+
+TEST(Conforming, KeepsFacetsBetweenRegionsAndOnSurfaces) {
+  std::mt19937_64 random(17);
+  std::size_t facets = 0;
+  std::size_t cells_made = 0;
+  for (int round = 0; round < support::share_of(20); ++round) {
+    Setting s{hybrid_tests::random_delaunay(80, 1U << 16U, random), {}, {}};
+    std::vector<std::uint32_t> regions;
+    std::vector<std::array<mesh::Index, 3>> triangles;
+    for (const auto& t : s.mesh.tetrahedra) {
+      double x = 0;
+      for (const mesh::Index v : t) x += s.mesh.points[v].x;
+      regions.push_back(x < 4 * 0x1p15 ? 3 : 8);
+      if (random() % 20 == 0) triangles.push_back({t[0], t[1], t[2]});
+    }
+    const std::vector<std::uint32_t> colours(triangles.size(), 1);
+    s.graph = std::get<TetGraph>(
+        TetGraph::of({s.mesh.points, s.mesh.tetrahedra}, {regions, triangles, colours}));
+    s.candidates = hybrid::candidates(s.graph, 0.2);
+    const auto cells = hybrid::selection(s.graph, s.candidates);
+    const hybrid::Combined combined = hybrid::conforming_mesh(s.graph, s.candidates, cells);
+    expect_accepted(s, combined);
+    cells_made += combined.inserted_pyramids;
+    const auto made = triangles_of(combined.mesh);
+    std::map<std::set<mesh::Index>, std::set<std::uint32_t>> sides;
+    for (std::size_t t = 0; t < s.mesh.tetrahedra.size(); ++t)
+      for (const mesh::Index apex : s.mesh.tetrahedra[t]) {
+        std::set<mesh::Index> facet(s.mesh.tetrahedra[t].begin(), s.mesh.tetrahedra[t].end());
+        facet.erase(apex);
+        sides[facet].insert(regions[t]);
+      }
+    for (const auto& t : triangles) sides[{t[0], t[1], t[2]}] = {0, 1};
+    for (const auto& [facet, of] : sides)
+      if (of.size() == 2) {
+        ++facets;
+        ASSERT_TRUE(made.contains(facet)) << round;
+      }
+  }
+  EXPECT_GT(facets, std::size_t{support::share_of(500)});
+  EXPECT_GT(cells_made, std::size_t{support::share_of(50)});
 }
 
 TEST(Conforming, MeshesOfRandomPointsAreAccepted) {

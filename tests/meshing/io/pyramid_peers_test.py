@@ -21,13 +21,13 @@ KINDS_OF_GMSH = ("mesh", "msh")
 
 
 def write_meshes(hexatlas, surfaces, folder, failures):
-    """{path: (points, hexahedra) that the program states}. Points as good as possible in one format of
-    each peer, which takes most of the time; in the others as they are at first."""
+    """{path: (points, hexahedra) that the program states}. Points as good as possible in one format,
+    which takes most of the time; in the others as they are at first."""
     stated = {}
     for surface in surfaces:
         for kind in KINDS_OF_VTK + KINDS_OF_GMSH:
             path = folder / f"{surface.stem}.{kind}"
-            effort = () if kind in (KINDS_OF_VTK[0], KINDS_OF_GMSH[0]) else ("--effort", "0")
+            effort = () if kind == KINDS_OF_VTK[0] else ("--effort", "0")
             result = run(hexatlas, "mesh", "hex", surface, "-o", path, "--json", *effort)
             failures.expect(result.returncode == 0, f"mesh hex, {path.name}: {result.stderr}")
             if result.returncode == 0:

@@ -16,6 +16,7 @@
 #include <random>
 
 #include "tests/realize/exact/placed_cells.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
@@ -122,7 +123,7 @@ TEST(Hexahedron, AgreesWithSamples) {
   int valid = 0;
   int invalid = 0;
   int undecided = 0;
-  for (int trial = 0; trial < 1500; ++trial) {
+  for (int trial = 0; trial < support::share_of(1500); ++trial) {
     const Corners corners = random_corners(random, 8, 2 + trial % 5);
     const Validity validity = quality::validity_of_hexahedron(corners);
     if (validity == Validity::valid) {
@@ -133,9 +134,9 @@ TEST(Hexahedron, AgreesWithSamples) {
     invalid += validity == Validity::invalid ? 1 : 0;
     undecided += validity == Validity::undecided ? 1 : 0;
   }
-  EXPECT_GT(valid, 200);
-  EXPECT_GT(invalid, 200);
-  EXPECT_LT(undecided, 50);
+  EXPECT_GT(valid, support::share_of(200));
+  EXPECT_GT(invalid, support::share_of(200));
+  EXPECT_LT(undecided, support::share_of(50));
 }
 
 TEST(Hexahedron, MirrorImagesAndScales) {

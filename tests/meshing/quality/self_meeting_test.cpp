@@ -15,6 +15,7 @@
 
 #include "enum/core/errors.hpp"
 #include "tests/oracles/patches.hpp"
+#include "tests/share.hpp"
 
 namespace hexatlas::quality {
 namespace {
@@ -263,7 +264,7 @@ TEST(SelfMeeting, RandomSurfacesAgainstBruteForce) {
   int none = 0;
   int folded = 0;
   int pairs = 0;
-  for (int round = 0; round < 2500; ++round) {
+  for (int round = 0; round < support::share_of(2500); ++round) {
     const std::int64_t step = 1 + round % 3;
     std::vector<std::array<Vec, 4>> rings;
     for (std::int64_t k = 0; k < 2 + round % 3; ++k) {
@@ -286,9 +287,9 @@ TEST(SelfMeeting, RandomSurfacesAgainstBruteForce) {
     else
       ++pairs;
   }
-  EXPECT_GT(none, 150);
-  EXPECT_GT(folded, 150);
-  EXPECT_GT(pairs, 150);
+  EXPECT_GT(none, support::share_of(150));
+  EXPECT_GT(folded, support::share_of(150));
+  EXPECT_GT(pairs, support::share_of(150));
 }
 
 QuadPoints random_flat_quad(std::mt19937_64& random, const std::vector<Vec>& given) {

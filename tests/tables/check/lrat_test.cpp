@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "tables/check/malformed.hpp"
+#include "tests/share.hpp"
 
 namespace hexatlas::check {
 namespace {
@@ -212,8 +213,8 @@ std::string mutated(std::string text, Dice& dice) {
 TEST(Lrat, RefusesMutatedRefutationsOfSatisfiableFormulas) {
   constexpr std::size_t kVariables = 5;
   Dice dice(3);
-  std::size_t tried = 0;
-  while (tried < 4000) {
+  int tried = 0;
+  while (tried < support::share_of(4000)) {
     Formula formula;
     for (int i = 0; i < 12; ++i) {
       formula.push_back(dice.clause(kVariables, 2));
