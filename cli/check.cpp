@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -291,7 +293,9 @@ ExitCode check_one_mesh(const CheckOptions& options, std::string_view bytes) {
 /// What a file of the judge's is.
 enum class Kind : std::uint8_t { mesh, bound, sectors, catalogue, completeness, table };
 
-Kind kind_by_name(const std::string& file) {
+Kind kind_by_name(std::string file) {
+  std::transform(file.begin(), file.end(), file.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const auto& [ending, kind] : {std::pair{".hxb", Kind::bound},
                                      {".hxs", Kind::sectors},
                                      {".hxc", Kind::catalogue},
@@ -306,9 +310,7 @@ Kind kind_by_name(const std::string& file) {
 Kind kind_of(const std::string& file, std::string_view bytes) {
   if (check::is_bound(bytes)) return Kind::bound;
   if (check::is_sectors(bytes)) return Kind::sectors;
-  const Kind named = kind_by_name(file);
-  if (named != Kind::mesh) return named;
-  return check::is_catalogue(bytes) ? Kind::catalogue : Kind::mesh;
+  return check::is_catalogue(bytes) ? Kind::catalogue : kind_by_name(file);
 }
 
 ExitCode not_for(const std::string& option, const std::string& file) {

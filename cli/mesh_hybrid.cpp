@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <variant>
 
@@ -34,12 +32,13 @@ hybrid::TetGraph graph_of(const mesh::TetModel& model, const std::string& name) 
   return std::move(std::get<hybrid::TetGraph>(graph));
 }
 
-/// Whether it has several regions or surfaces, of which a mesh that is written knows nothing.
-bool has_parts(const mesh::TetModel& model) {
-  const auto differ = [](const std::vector<std::uint32_t>& of) {
-    return std::adjacent_find(of.begin(), of.end(), std::not_equal_to<>()) != of.end();
-  };
-  return differ(model.regions) || differ(model.colours);
+/// Whether there are coloured triangles inside, which a mesh that is written does not name.
+bool has_surfaces_inside(const hybrid::TetGraph& graph) {
+  for (hybrid::TetIndex t = 0; t < graph.size(); ++t)
+    for (unsigned facet = 0; facet < 4; ++facet)
+      if (graph.colour(t, facet) != 0 && graph.across(t, facet) != hybrid::TetGraph::kOutside)
+        return true;
+  return false;
 }
 
 /// The tetrahedra of the file, or those inside its surface.
@@ -126,9 +125,9 @@ ExitCode mesh_hybrid(const MeshHybridOptions& options) {
   if (!is_counted) make_mesh(options, graph, candidates, account);
   account.seconds = seconds() - start;
   if (!is_counted) write_hybrid(options.output, account.combined->mesh);
-  if (!is_counted && has_parts(model))
-    say("note: no cell crosses from one region of " + input_name(options.input) +
-        " to another, or a coloured triangle; the output does not name them");
+  if (!is_counted && has_surfaces_inside(graph))
+    say("note: the coloured triangles inside " + input_name(options.input) +
+        " are facets of cells, or halves of them; the output does not name their colours");
   const std::string& stream = options.candidates == "-" ? options.candidates : options.output;
   tell(stream, options.json ? json_line(account) : summary(account, options.output));
   return ExitCode::yes;

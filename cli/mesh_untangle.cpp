@@ -32,10 +32,18 @@ void expect_placeable(const mesh::HexMesh& mesh, const std::string& file) {
   if (const auto fault = quality::fault_of_sides(mesh)) throw core::InvalidInput(file, *fault);
 }
 
-void turn_over_if_inside_out(mesh::HexMesh& mesh, const std::string& file) {
-  if (!(quality::enclosed_volume(mesh) < 0)) return;
-  for (auto& cell : mesh.hexahedra) cells::exchange_axes(cell);
-  say("note: the hexahedra of " + file + " are inside out; they were turned over");
+/// Each part of the mesh for itself.
+void turn_over_what_is_inside_out(mesh::HexMesh& mesh, const std::string& file) {
+  constexpr double kRounding = 1e-12;
+  std::size_t turned = 0;
+  for (const quality::Part& part : quality::parts_of(mesh)) {
+    if (!(part.volume < -kRounding)) continue;
+    for (const std::size_t c : part.cells) cells::exchange_axes(mesh.hexahedra[c]);
+    turned += part.cells.size();
+  }
+  if (turned != 0)
+    say(fmt::format("note: {} of the {} hexahedra of {} were inside out and turned over", turned,
+                    mesh.hexahedra.size(), file));
 }
 
 nlohmann::ordered_json json_of(const quality::Report& report) {
@@ -72,7 +80,7 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
   mesh::HexMesh mesh = io::read_hexahedra(options.input);
   const std::string name = input_name(options.input);
   expect_placeable(mesh, name);
-  turn_over_if_inside_out(mesh, name);
+  turn_over_what_is_inside_out(mesh, name);
   std::vector<std::uint8_t> is_free =
       options.free_boundary ? quality::points_of_cells(mesh) : quality::interior_points(mesh);
   const auto moved =

@@ -1,6 +1,7 @@
 #include "meshing/hybrid/changing_tets.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "enum/core/checks.hpp"
 
@@ -25,6 +26,11 @@ ChangingTets::ChangingTets(const TetGraph& graph)
       if (graph.colour(t, facet) != 0 && graph.across(t, facet) != TetGraph::kOutside)
         on_surfaces_.insert(triangle_of(graph[t], facet));
   }
+}
+
+bool ChangingTets::has_regions() const {
+  return std::adjacent_find(regions_.begin(), regions_.end(), std::not_equal_to<>()) !=
+         regions_.end();
 }
 
 bool ChangingTets::has_to_stay(Side side) const {

@@ -61,6 +61,7 @@ class Attempt {
 
   [[nodiscard]] Combined take() {
     Combined result;
+    if (tets_.has_regions()) result.mesh.regions = regions();
     for (TetIndex t = 0; t < tets_.size(); ++t)
       if (tets_.owner(t) == ChangingTets::kFree) result.mesh.tetrahedra.push_back(tets_[t]);
     for (const Cell cell : cells_) {
@@ -85,6 +86,19 @@ class Attempt {
   }
 
  private:
+  /// Of the cells in the order of a mesh.
+  [[nodiscard]] std::vector<std::uint32_t> regions() const {
+    std::vector<std::uint32_t> result;
+    for (TetIndex t = 0; t < tets_.size(); ++t)
+      if (tets_.owner(t) == ChangingTets::kFree) result.push_back(tets_.region(t));
+    for (const Shape shape : {Shape::hexahedron, Shape::prism, Shape::pyramid})
+      for (const Cell cell : cells_)
+        if (cell.shape == shape)
+          result.push_back(tets_.region(view_of(candidates_, cell).all().front()));
+    result.insert(result.end(), regions_of_pyramids_.begin(), regions_of_pyramids_.end());
+    return result;
+  }
+
   /// visit(quad, the two sides of its outer triangles) for quads that meet free tetrahedra.
   template <class Visit>
   void for_each_open_quad(std::uint32_t c, const Visit& visit) const {
@@ -196,6 +210,7 @@ class Attempt {
     if (!(quality_of(pyramid) > 0)) return false;
     for (const TetIndex t : fan.tetrahedra) tets_.own(t, ChangingTets::kPyramid);
     pyramids_.push_back(pyramid);
+    regions_of_pyramids_.push_back(tets_.region(fan.tetrahedra[0]));
     return true;
   }
 
@@ -288,6 +303,7 @@ class Attempt {
     owners.resize(best->fresh.size(), ChangingTets::kPyramid);
     tets_.replace(best->old, best->fresh, owners);
     pyramids_.push_back(pyramid_over(q, apex));
+    regions_of_pyramids_.push_back(tets_.region(fan.tetrahedra[0]));
     return true;
   }
 
@@ -337,7 +353,8 @@ class Attempt {
   std::vector<mesh::Point> points_;
   std::size_t given_points_;
   std::vector<std::uint8_t> is_given_up_;
-  std::vector<mesh::Pyramid> pyramids_;
+  std::vector<mesh::Pyramid> pyramids_;  ///< inserted
+  std::vector<std::uint32_t> regions_of_pyramids_;
 };
 
 }  // namespace

@@ -76,33 +76,70 @@ double fold_of(const std::vector<mesh::Point>& points, const DirectedEdge& e,
   const mesh::Point b = normal(f);
   if (a == mesh::Point{} || b == mesh::Point{}) return 0;
   constexpr double kDegrees = 180 / std::numbers::pi;
-  return kDegrees * std::acos(std::clamp(quality::dot(a, b), -1.0, 1.0));
+  const mesh::Point across = quality::cross(a, b);
+  return kDegrees * std::atan2(std::sqrt(quality::dot(across, across)), quality::dot(a, b));
 }
 
-/// How many of its edges each vertex can lose so that three facets are left to it; those of a
-/// vertex that is not inside the surface are not counted.
-std::vector<std::int64_t> rooms_of(const mesh::FacetMesh& surface) {
-  constexpr std::int64_t kFewest = 3;
-  constexpr std::int64_t kPlenty = std::numeric_limits<std::int64_t>::max() / 2;
-  std::vector<std::int64_t> rooms(surface.points.size(), -kFewest);
-  for (const mesh::Facet& facet : surface.facets)
-    for (std::size_t i = 0; i < 3; ++i) ++rooms[facet.vertices[i]];
-  for_each_edge(surface, [&](std::span<const DirectedEdge> sides) {
-    if (sides.size() == 2) return;
-    for (const Index v : {sides[0].v, sides[0].w}) rooms[v] = kPlenty;
-  });
-  return rooms;
-}
+/// The fans of a surface: the triangles at a vertex that are joined by edges of two triangles. A
+/// vertex has several if the surface is pinched there.
+class Fans {
+ public:
+  explicit Fans(const mesh::FacetMesh& surface)
+      : surface_(surface), next_(3 * surface.facets.size()) {
+    constexpr std::int64_t kFewest = 3;
+    constexpr std::int64_t kPlenty = std::numeric_limits<std::int64_t>::max() / 2;
+    std::iota(next_.begin(), next_.end(), std::size_t{0});
+    rooms_.assign(next_.size(), -kFewest);
+    std::vector<std::size_t> open;
+    for_each_edge(surface, [&](std::span<const DirectedEdge> sides) {
+      for (const Index v : {sides[0].v, sides[0].w}) {
+        if (sides.size() == 2)
+          next_[root(corner(sides[0].triangle, v))] = root(corner(sides[1].triangle, v));
+        else
+          for (const DirectedEdge& side : sides) open.push_back(corner(side.triangle, v));
+      }
+    });
+    for (std::size_t c = 0; c < next_.size(); ++c) ++rooms_[root(c)];
+    for (const std::size_t c : open) rooms_[root(c)] = kPlenty;
+  }
 
-/// A matching of triangles, improved by paths and squares, in which no vertex loses more edges than
-/// it has room for.
+  /// The fan of a triangle at one of its vertices.
+  [[nodiscard]] std::size_t of(std::uint32_t triangle, Index v) {
+    return root(corner(triangle, v));
+  }
+  /// How many of its edges each fan can lose so that three facets are left to it; those of one that
+  /// is not closed are not counted.
+  [[nodiscard]] const std::vector<std::int64_t>& rooms() const { return rooms_; }
+
+ private:
+  [[nodiscard]] std::size_t corner(std::uint32_t triangle, Index v) const {
+    const auto& vertices = surface_.facets[triangle].vertices;
+    return 3 * std::size_t{triangle} + (vertices[0] == v ? 0U : vertices[1] == v ? 1U : 2U);
+  }
+  [[nodiscard]] std::size_t root(std::size_t c) {
+    while (next_[c] != c) c = next_[c] = next_[next_[c]];
+    return c;
+  }
+
+  const mesh::FacetMesh& surface_;
+  std::vector<std::size_t> next_;
+  std::vector<std::int64_t> rooms_;
+};
+
+/// A matching of triangles, improved by paths and squares, in which no fan loses more edges than it
+/// has room for.
 class Matching {
  public:
   Matching(const mesh::FacetMesh& surface, std::span<const QuadCandidate> candidates)
       : candidates_(candidates),
         start_(surface.facets.size() + 1),
         quad_of_(surface.facets.size(), kNone),
-        rooms_(rooms_of(surface)) {
+        fans_(candidates.size()) {
+    Fans fans(surface);
+    rooms_ = fans.rooms();
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      for (std::size_t k = 0; k < 2; ++k)
+        fans_[i][k] = fans.of(candidates[i].triangles[0], candidates[i].diagonal[k]);
     for (const QuadCandidate& c : candidates)
       for (const std::uint32_t t : c.triangles) ++start_[t + 1];
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
@@ -154,15 +191,15 @@ class Matching {
   }
   void put(std::size_t quad) {
     for (const std::uint32_t t : candidates_[quad].triangles) quad_of_[t] = quad;
-    for (const Index v : candidates_[quad].diagonal) --rooms_[v];
+    for (const std::size_t fan : fans_[quad]) --rooms_[fan];
   }
   void take(std::size_t quad) {
     for (const std::uint32_t t : candidates_[quad].triangles) quad_of_[t] = kNone;
-    for (const Index v : candidates_[quad].diagonal) ++rooms_[v];
+    for (const std::size_t fan : fans_[quad]) ++rooms_[fan];
   }
   [[nodiscard]] bool has_room(std::size_t quad) const {
-    const auto& [v, w] = candidates_[quad].diagonal;
-    return rooms_[v] >= 0 && rooms_[w] >= 0;
+    const auto& [one, other] = fans_[quad];
+    return rooms_[one] >= 0 && rooms_[other] >= 0;
   }
 
   /// Chosen quads for others on their triangles and free ones, unless a vertex has no room for
@@ -233,6 +270,7 @@ class Matching {
   std::vector<std::size_t> start_;
   std::vector<std::size_t> at_;
   std::vector<std::size_t> quad_of_;
+  std::vector<std::array<std::size_t, 2>> fans_;  ///< at the ends of the diagonal of each candidate
   std::vector<std::int64_t> rooms_;
 };
 
@@ -242,6 +280,7 @@ std::vector<QuadCandidate> quad_candidates(const mesh::FacetMesh& surface,
                                            const QuadLimits& limits) {
   core::expects(limits.quality >= 0 && limits.quality < 1, "a quality in [0, 1)");
   core::expects(limits.fold >= 0 && limits.fold <= 180, "a fold from 0 to 180 degrees");
+  constexpr double kRounding = 1e-9;  // of normals of triangles in one plane, in degrees, and more
   std::vector<QuadCandidate> result;
   for_each_edge(surface, [&](std::span<const DirectedEdge> sides) {
     for (std::size_t i = 0; i < sides.size(); ++i)
@@ -251,7 +290,8 @@ std::vector<QuadCandidate> quad_candidates(const mesh::FacetMesh& surface,
         if (e.v != f.w || e.apex == f.apex || e.triangle == f.triangle) continue;
         QuadCandidate quad{{e.v, f.apex, e.w, e.apex}, {e.v, e.w}, {e.triangle, f.triangle}, 0};
         quad.quality = quality_of(surface.points, quad.vertices);
-        if (!(quad.quality > limits.quality) || fold_of(surface.points, e, f) > limits.fold)
+        if (!(quad.quality > limits.quality) ||
+            fold_of(surface.points, e, f) > limits.fold + kRounding)
           continue;
         std::rotate(quad.vertices.begin(),
                     std::min_element(quad.vertices.begin(), quad.vertices.end()),

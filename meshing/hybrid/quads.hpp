@@ -8,8 +8,8 @@
 /// Its quality is the least over its corners of the determinant of the two edges there and the
 /// normal, divided by the lengths of the edges: of a plane quad the least sine, negative where it
 /// is not convex. The normal is the unit vector along the product of the diagonals. A *doublet* is
-/// a vertex inside the surface with two facets, which share two edges: no cell complex, and no
-/// element either.
+/// a vertex inside the surface, or in a fan that is closed around it, with two facets, which share
+/// two edges: no cell complex, and no element either.
 ///
 /// Source: the scheme of J. Pellerin, A. Johnen, K. Verhetsel, J.-F. Remacle, CAD 105 (2018). The
 /// choice is a matching of triangles; exchanges along paths after a greedy choice as in the search

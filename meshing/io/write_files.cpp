@@ -145,10 +145,20 @@ CellsToWrite cells_of(const mesh::TetView& mesh) {
 /// Both arguments outlive the result.
 CellsToWrite cells_of(const mesh::HybridMesh& mesh, const Ordered& in_order) {
   CellsToWrite cells{mesh.points, {}};
-  cells.add(kFileTetrahedron, std::span(mesh.tetrahedra));
-  cells.add(kFileHexahedron, std::span(in_order.hexahedra));
-  cells.add(kFilePrism, std::span(in_order.prisms.empty() ? mesh.prisms : in_order.prisms));
-  cells.add(kFilePyramid, std::span(mesh.pyramids));
+  core::expects(mesh.regions.empty() ||
+                    mesh.regions.size() == mesh.tetrahedra.size() + mesh.hexahedra.size() +
+                                               mesh.prisms.size() + mesh.pyramids.size(),
+                "writing a mesh: a region for each cell");
+  std::span<const std::uint32_t> regions(mesh.regions);
+  const auto add = [&](const FileCell& type, const auto& of_type) {
+    const auto first = regions.first(regions.empty() ? 0 : of_type.size());
+    cells.add(type, std::span(of_type), first);
+    regions = regions.subspan(first.size());
+  };
+  add(kFileTetrahedron, mesh.tetrahedra);
+  add(kFileHexahedron, in_order.hexahedra);
+  add(kFilePrism, in_order.prisms.empty() ? mesh.prisms : in_order.prisms);
+  add(kFilePyramid, mesh.pyramids);
   return cells;
 }
 

@@ -34,12 +34,15 @@ void write_off(const CellsToWrite& cells, Output& out) {
 }
 
 void write_medit(const CellsToWrite& cells, Output& out) {
-  // Version 2: coordinates in double precision. Each row ends with a reference, here 0.
+  // Version 2: coordinates in double precision. Each row ends with a reference, 0 if there is none.
   out.put("MeshVersionFormatted 2\nDimension 3\nVertices\n", cells.points.size(), "\n");
   put_points(out, cells, "", " 0\n");
   for (const CellList& list : cells.lists) {
     out.put(list.type.medit, "\n", list.size(), "\n");
-    put_cells(out, list, "", 1, " 0\n");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      out.put_indices(list[i], 1);
+      out.put(" ", list.regions.empty() ? 0 : list.regions[i], "\n");
+    }
   }
   out.put("End\n");
 }

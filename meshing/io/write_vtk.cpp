@@ -55,6 +55,15 @@ std::vector<DataArray> cell_arrays(const CellsToWrite& cells, const std::string&
       {"type=\"UInt8\" Name=\"types\"", cells.cell_count(), put_types}};
 }
 
+/// The regions, if there are some.
+std::vector<DataArray> field_arrays(const CellsToWrite& cells) {
+  if (!cells.has_regions()) return {};
+  return {{"type=\"UInt32\" Name=\"region\"", sizeof(std::uint32_t) * cells.cell_count(),
+           [&](Output& out) {
+             for (const CellList& list : cells.lists) out.put_memory(list.regions);
+           }}};
+}
+
 /// Appended arrays take four bytes for an integer where these suffice.
 std::vector<DataArray> cell_arrays(const CellsToWrite& cells, VtuArrays arrays) {
   constexpr auto kLargest = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
@@ -119,12 +128,17 @@ void write_vtk(const CellsToWrite& cells, Output& out) {
   out.put("CELL_TYPES ", count, "\n");
   for (const CellList& list : cells.lists)
     for (std::size_t i = 0; i < list.size(); ++i) out.put(list.type.vtk, "\n");
+  if (!cells.has_regions()) return;
+  out.put("CELL_DATA ", count, "\nSCALARS region unsigned_int 1\nLOOKUP_TABLE default\n");
+  for (const CellList& list : cells.lists)
+    for (const std::uint32_t region : list.regions) out.put(region, "\n");
 }
 
 void write_vtu(const CellsToWrite& cells, VtuArrays arrays, Output& out) {
   const bool is_raw = arrays == VtuArrays::appended_raw;
   const std::vector<DataArray> of_points{point_array(cells)};
   const std::vector<DataArray> of_cells = cell_arrays(cells, arrays);
+  const std::vector<DataArray> fields = field_arrays(cells);
   std::uint64_t offset = 0;
   out.put(
       "<?xml version=\"1.0\"?>\n"
@@ -136,11 +150,18 @@ void write_vtu(const CellsToWrite& cells, VtuArrays arrays, Output& out) {
   put_elements(of_points, arrays, offset, out);
   out.put("</Points>\n<Cells>\n");
   put_elements(of_cells, arrays, offset, out);
-  out.put("</Cells>\n</Piece>\n</UnstructuredGrid>\n");
+  out.put("</Cells>\n");
+  if (!fields.empty()) {
+    out.put("<CellData Scalars=\"region\">\n");
+    put_elements(fields, arrays, offset, out);
+    out.put("</CellData>\n");
+  }
+  out.put("</Piece>\n</UnstructuredGrid>\n");
   if (is_raw) {
     out.put("<AppendedData encoding=\"raw\">\n_");
     put_appended(of_points, out);
     put_appended(of_cells, out);
+    put_appended(fields, out);
     out.put("\n</AppendedData>\n");
   }
   out.put("</VTKFile>\n");

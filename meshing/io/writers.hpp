@@ -2,7 +2,8 @@
 /// \file
 /// One writer per format, behind to_text and write_hexahedra (mesh_files.hpp, which states what
 /// they promise and require). All write the same thing: points, then lists of cells, each of one
-/// type and with the file's order of corners.
+/// type and with the file's order of corners, and the regions of the cells where there are some: as
+/// references of MEDIT, entities of Gmsh 4.1, a field `region` of VTK.
 
 #include <array>
 #include <span>
@@ -20,12 +21,14 @@ namespace hexatlas::io {
 class CellList {
  public:
   template <std::size_t N>
-  CellList(const FileCell& cell, std::span<const std::array<mesh::Index, N>> cells)
-      : type(cell), corners_(cells.front().data(), N * cells.size()) {
+  CellList(const FileCell& cell, std::span<const std::array<mesh::Index, N>> cells,
+           std::span<const std::uint32_t> of_regions)
+      : type(cell), regions(of_regions), corners_(cells.front().data(), N * cells.size()) {
     static_assert(sizeof(cells.front()) == N * sizeof(mesh::Index));
   }
 
   FileCell type;
+  std::span<const std::uint32_t> regions;  ///< one for each cell, or none at all
 
   [[nodiscard]] std::size_t size() const { return corners_.size() / corners_each(); }
   [[nodiscard]] std::size_t corners_each() const {
@@ -45,10 +48,13 @@ struct CellsToWrite {
   std::vector<CellList> lists;
 
   template <std::size_t N>
-  void add(const FileCell& type, std::span<const std::array<mesh::Index, N>> cells) {
-    if (!cells.empty()) lists.emplace_back(type, cells);
+  void add(const FileCell& type, std::span<const std::array<mesh::Index, N>> cells,
+           std::span<const std::uint32_t> regions = {}) {
+    if (!cells.empty()) lists.emplace_back(type, cells, regions);
   }
   [[nodiscard]] std::size_t cell_count() const;
+  /// Whether each cell has a region.
+  [[nodiscard]] bool has_regions() const { return !lists.empty() && !lists[0].regions.empty(); }
 };
 
 /// How the arrays of a .vtu file are written: small, or fast.

@@ -93,6 +93,9 @@ struct HybridMesh {
   std::vector<std::array<Index, 8>> hexahedra;
   std::vector<Prism> prisms;
   std::vector<Pyramid> pyramids;
+  /// To which each cell belongs, tetrahedra first, then in the order above; or none at all: one
+  /// region.
+  std::vector<std::uint32_t> regions{};
 };
 
 }  // namespace hexatlas::mesh

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <span>
 
 #include "enum/cells/cube.hpp"
@@ -11,10 +12,12 @@
 namespace hexatlas::quality {
 namespace {
 
+using Cycle = std::array<mesh::Index, 4>;
+
 /// A quad as one of its hexahedra has it.
 struct Side {
   std::array<mesh::Index, 4> vertices{};  ///< ascending
-  std::array<mesh::Index, 4> cycle{};     ///< counter-clockwise from outside, the least first
+  Cycle cycle{};                          ///< counter-clockwise from outside, the least first
   std::size_t cell = 0;
 };
 
@@ -45,6 +48,28 @@ void for_each_quad(const mesh::HexMesh& mesh, const Visit& visit) {
     while (end < sides.size() && sides[end].vertices == sides[first].vertices) ++end;
     if (!visit(std::span(sides).subspan(first, end - first))) return;
   }
+}
+
+/// Divided by the cube of the greatest extent; 0 if that is 0.
+double volume_within(const std::vector<mesh::Point>& points, const std::vector<Cycle>& quads) {
+  if (quads.empty()) return 0;
+  constexpr double kQuarter = 0.25;  // so that no difference overflows
+  const mesh::Point& origin = points[quads[0][0]];
+  double extent = 0;
+  for (const Cycle& quad : quads)
+    for (const mesh::Index v : quad)
+      extent = std::max(extent, greatest_component(scaled_difference(origin, points[v], kQuarter)));
+  if (extent == 0) return 0;
+  double six_volumes = 0;
+  for (const Cycle& quad : quads) {
+    std::array<mesh::Point, 4> p;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const mesh::Point d = scaled_difference(origin, points[quad[i]], kQuarter);
+      p[i] = {d.x / extent, d.y / extent, d.z / extent};
+    }
+    six_volumes += determinant(p[0], p[1], p[2]) + determinant(p[0], p[2], p[3]);
+  }
+  return six_volumes / 6;
 }
 
 std::string name_of(const Side& side) {
@@ -88,23 +113,48 @@ std::optional<std::string> fault_of_sides(const mesh::HexMesh& mesh) {
       fault = both + " have the vertices of " + name_of(sides[0]) + " in different cycles";
     return !fault;
   });
-  return fault;
+  if (fault) return fault;
+  for (const Part& part : parts_of(mesh))
+    if (part.boundary_quads == 0)
+      return "hexahedron " + std::to_string(part.cells.front()) +
+             " is in a part of the mesh that has no boundary";
+  return std::nullopt;
 }
 
-double enclosed_volume(const mesh::HexMesh& mesh) {
-  double six_volumes = 0;
+std::vector<Part> parts_of(const mesh::HexMesh& mesh) {
+  std::vector<std::size_t> next(mesh.hexahedra.size());
+  std::iota(next.begin(), next.end(), std::size_t{0});
+  const auto root = [&next](std::size_t c) {
+    while (next[c] != c) c = next[c] = next[next[c]];
+    return c;
+  };
   for_each_quad(mesh, [&](std::span<const Side> sides) {
-    if (sides.size() != 1) return true;
-    std::array<mesh::Point, 4> p;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const mesh::Point& at = mesh.points[sides[0].cycle[i]];
-      const mesh::Point& origin = mesh.points[mesh.hexahedra[0][0]];
-      p[i] = {at.x - origin.x, at.y - origin.y, at.z - origin.z};
+    for (const Side& side : sides) {
+      const std::size_t a = root(sides[0].cell);
+      const std::size_t b = root(side.cell);
+      next[std::max(a, b)] = std::min(a, b);
     }
-    six_volumes += determinant(p[0], p[1], p[2]) + determinant(p[0], p[2], p[3]);
     return true;
   });
-  return six_volumes / 6;
+  std::vector<Part> parts;
+  std::vector<std::size_t> part_of(next.size());
+  for (std::size_t c = 0; c < next.size(); ++c) {
+    if (root(c) == c) {
+      part_of[c] = parts.size();
+      parts.emplace_back();
+    }
+    parts[part_of[root(c)]].cells.push_back(c);
+  }
+  std::vector<std::vector<Cycle>> boundaries(parts.size());
+  for_each_quad(mesh, [&](std::span<const Side> sides) {
+    if (sides.size() == 1) boundaries[part_of[root(sides[0].cell)]].push_back(sides[0].cycle);
+    return true;
+  });
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    parts[i].boundary_quads = boundaries[i].size();
+    parts[i].volume = volume_within(mesh.points, boundaries[i]);
+  }
+  return parts;
 }
 
 }  // namespace hexatlas::quality

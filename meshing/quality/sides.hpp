@@ -6,6 +6,7 @@
 /// Requires indices below points.size() and eight distinct ones for each hexahedron.
 /// Cost: that of sorting six quads for each hexahedron.
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,12 +23,21 @@ namespace hexatlas::quality {
 [[nodiscard]] std::vector<std::uint8_t> interior_points(const mesh::HexMesh& mesh);
 
 /// Why the hexahedra are none of a mesh: three have the same four vertices as a quad, or two have
-/// it as different cycles, or both on the same side, so that they overlap however they are placed.
+/// it as different cycles, or both on the same side, so that they overlap however they are placed;
+/// or a part has no boundary.
 [[nodiscard]] std::optional<std::string> fault_of_sides(const mesh::HexMesh& mesh);
 
-/// The volume within the quads that only one hexahedron has, each cut in two triangles: negative
-/// where the hexahedra are inside out, all of them. In double precision, with no promise of a sign
-/// near zero.
-[[nodiscard]] double enclosed_volume(const mesh::HexMesh& mesh);
+/// Hexahedra that are joined by quads.
+struct Part {
+  std::vector<std::size_t> cells;  ///< ascending
+  std::size_t boundary_quads = 0;  ///< quads that only one hexahedron has
+  /// Within these, each cut in two triangles, in units of the cube of their greatest extent:
+  /// negative where the hexahedra are inside out. In double precision, at any scale of the
+  /// coordinates.
+  double volume = 0;
+};
+
+/// By their first cells.
+[[nodiscard]] std::vector<Part> parts_of(const mesh::HexMesh& mesh);
 
 }  // namespace hexatlas::quality

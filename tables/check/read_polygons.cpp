@@ -10,6 +10,8 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
+constexpr std::size_t kMostColours = 4;  ///< numbers
+
 /// Records of an OBJ file that say nothing about points and faces.
 constexpr std::array<std::string_view, 8> kPassedOver = {"vn", "vt", "vp",     "g",
                                                          "o",  "s",  "usemtl", "mtllib"};
@@ -32,16 +34,23 @@ Point obj_point(const Scanner& in, const Words& words) {
   return {in.real_from(words[1]), in.real_from(words[2]), in.real_from(words[3])};
 }
 
-/// The heading with the number of faces, and the points; those of COFF have colours behind them.
+/// The heading with the number of faces, and the points, which may have colours behind them.
 std::vector<Point> off_points(Scanner& in, std::uint64_t& faces) {
-  const bool has_colours = in.peek() == "COFF";
-  in.expect(has_colours ? "COFF" : "OFF");
+  in.expect(in.peek() == "COFF" ? "COFF" : "OFF");
   std::vector<Point> points(in.count(6));
   faces = in.count(8);
-  static_cast<void>(in.natural());
+  // The number of edges may be missing; nobody needs it.
+  const std::string_view rest = in.skip_line();
+  const std::size_t begin = rest.find_first_not_of(" \t\r");
+  if (begin != std::string_view::npos && rest[begin] != '#')
+    static_cast<void>(
+        in.natural_from(rest.substr(begin, rest.find_first_of(" \t\r#", begin) - begin)));
   for (Point& point : points) {
-    point = in.point();
-    if (has_colours) static_cast<void>(in.skip_line());
+    const Words words = in.line_of_words();
+    if (words.size() < 3) in.fail("a point has three coordinates");
+    if (words.size() > 3 + kMostColours) in.fail("more numbers than a colour has");
+    for (std::size_t i = 0; i < 3; ++i) point[i] = in.real_from(words[i]);
+    for (std::size_t i = 3; i < words.size(); ++i) static_cast<void>(in.real_from(words[i]));
   }
   return points;
 }

@@ -8,6 +8,7 @@ layer of 26 around it, one for each quad.
 """
 import json
 import os
+import shutil
 import struct
 
 import program
@@ -223,6 +224,10 @@ class Check(program.ProgramTest):
                     ran = self.hexatlas("check", name)
                     self.expect_fault(ran, name)
                     self.assertNotIn("mesh file", ran.err)
+        catalogue = os.path.join(program.REPOSITORY, "tables", "data", "prism.hxc")
+        for name in ("renamed.hxb", "renamed.hxl", "renamed.HXT", "renamed"):
+            shutil.copyfile(catalogue, self.path(name))
+            self.assertIn("2 classes of prism", self.expect(0, self.hexatlas("check", name)).out)
         for name, words in (("proof.hxl", "--completeness"), ("table.hxt", "table check")):
             self.write(name, "")
             self.assertIn(words, self.expect(2, self.hexatlas("check", name)).err)

@@ -145,8 +145,17 @@ class MeshHybridTest(program.ProgramTest):
         points, cells = kuhn(1)
         self.write("regions.mesh", medit(points, cells, [1, 1, 1, 2, 1, 1]))
         self.assertEqual(self.counts("regions.mesh")["candidates"]["hexahedra"], 0)
-        ran = self.succeeds("mesh", "hybrid", "regions.mesh", "-o", "regions.vtk")
-        self.assertIn("the output does not name them", ran.err)
+        self.assertEqual(self.succeeds("mesh", "hybrid", "regions.mesh", "-o", "regions.vtk").err, "")
+        found = self.read("regions.vtk").decode().split("LOOKUP_TABLE default\n")[1].split()
+        self.assertEqual(sorted(found), ["1"] * (len(found) - 1) + ["2"])
+
+    def test_surfaces(self):
+        points, cells = kuhn(2)
+        text = medit(points, cells)
+        a, b, c, _ = (v + 1 for v in cells[5])
+        self.write("surfaces.mesh", text.replace("Tetrahedra", f"Triangles\n2\n{a} {b} {c} 4\n{a} {b} {c} 4\nTetrahedra"))
+        ran = self.succeeds("mesh", "hybrid", "surfaces.mesh", "-o", "surfaces.vtk")
+        self.assertIn("note: the coloured triangles inside surfaces.mesh", ran.err)
 
     def box(self, sides, cut=False):
         """The surface of a box of unit squares, each cut in two."""

@@ -228,6 +228,39 @@ TEST(Quads, ClosedSurfacesGetNoDoublets) {
   EXPECT_TRUE(hybrid::quad_candidates(octahedron, {0, 70}).empty());
 }
 
+/// Two octahedra with a vertex in common: four facets in each fan there.
+TEST(Quads, PinchedVerticesGetNoDoublets) {
+  mesh::FacetMesh both{{{0, 0, 0}}, {}};
+  for (const double sign : {1.0, -1.0}) {
+    const auto top = static_cast<mesh::Index>(both.points.size());
+    for (const mesh::Point& p :
+         std::vector<mesh::Point>{{1, 1, 1}, {-1, 1, 1}, {-1, -1, 1}, {1, -1, 1}, {0, 0, 2}})
+      both.points.push_back({p.x, p.y, sign * p.z});
+    for (mesh::Index i = 0; i < 4; ++i)
+      for (const mesh::Index apex : {mesh::Index{0}, top + 4})
+        both.facets.push_back((sign > 0) == (apex == 0)
+                                  ? triangle(apex, top + (i + 1) % 4, top + i)
+                                  : triangle(apex, top + i, top + (i + 1) % 4));
+  }
+  const auto candidates = hybrid::quad_candidates(both, {0, 180});
+  const auto chosen = hybrid::quad_selection(both, candidates);
+  EXPECT_EQ(chosen.size(), 6U);
+  std::map<std::pair<bool, mesh::Index>, int> lost;  // of each octahedron
+  for (const std::size_t i : chosen)
+    for (const mesh::Index v : candidates[i].diagonal) {
+      const bool is_first = candidates[i].triangles[0] < 8;
+      EXPECT_EQ((++lost[{is_first, v}]), 1) << v;
+    }
+}
+
+TEST(Quads, TrianglesInOnePlaneFoldNowhere) {
+  Random random(4);
+  mesh::FacetMesh mesh = cut_lattice(8, 0, random);
+  for (mesh::Point& p : mesh.points) p.z = p.x + 2 * p.y;
+  EXPECT_EQ(sets_of(hybrid::quad_candidates(mesh, {0, 0})),
+            sets_of(hybrid::quad_candidates(mesh, {0, 180})));
+}
+
 TEST(Quads, TrianglesTurnedAgainstEachOtherAreNoQuad) {
   mesh::FacetMesh mesh{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
                        {triangle(0, 1, 2), triangle(0, 3, 2)}};

@@ -254,4 +254,36 @@ TEST(Malformed, TetModel) {
       io::parse_tet_model);
 }
 
+TEST(Hybrid, RegionsAreWritten) {
+  mesh::HybridMesh mesh = kFour;
+  mesh.regions = {7, 0, 4'000'000'000, 7, 7};
+  for (const FileFormat format : kHybridFormats) {
+    const std::string text = io::to_text(mesh, format);
+    EXPECT_TRUE(same(io::parse_hybrid(text, format, "f"), kFour)) << io::extension_of(format);
+    EXPECT_NE(text, io::to_text(kFour, format));
+  }
+  EXPECT_NE(io::to_text(mesh, vtk).find("SCALARS region unsigned_int 1\nLOOKUP_TABLE default\n"
+                                        "7\n0\n4000000000\n7\n7\n"),
+            std::string::npos);
+  EXPECT_NE(io::to_text(mesh, vtu).find("<CellData Scalars=\"region\">"), std::string::npos);
+  // Volumes 7 and, for regions that are no tags of Gmsh, 1 and 2.
+  EXPECT_NE(io::to_text(mesh, gmsh).find("$Entities\n0 0 0 3\n1 "), std::string::npos);
+  mesh.regions.pop_back();
+  EXPECT_THROW((void)io::to_text(mesh, medit), core::PreconditionViolated);
+}
+
+TEST(Hybrid, RegionsOfTetrahedraAreReadBack) {
+  mesh::HybridMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {2, 2, 2}};
+  mesh.tetrahedra = {{0, 1, 2, 3}, {1, 2, 3, 4}, {1, 2, 4, 5}};
+  mesh.regions = {5, 9, 5};
+  const mesh::TetModel by_medit = io::parse_tet_model(io::to_text(mesh, medit), medit, "f");
+  EXPECT_EQ(by_medit.mesh.tetrahedra, mesh.tetrahedra);
+  EXPECT_EQ(by_medit.regions, mesh.regions);
+  const mesh::TetModel by_gmsh = io::parse_tet_model(io::to_text(mesh, gmsh), gmsh, "f");
+  EXPECT_EQ(by_gmsh.mesh.tetrahedra,
+            (std::vector<std::array<mesh::Index, 4>>{{0, 1, 2, 3}, {1, 2, 4, 5}, {1, 2, 3, 4}}));
+  EXPECT_EQ(by_gmsh.regions, (std::vector<std::uint32_t>{5, 5, 9}));
+}
+
 }  // namespace

@@ -1,7 +1,7 @@
-// Claim. interior_points() are the inner points of a lattice of cubes; enclosed_volume() is that of
-// the lattice, wherever these are, negative if the cubes are inside out; fault_of_sides() tells
-// what kind of overlap no places can mend, and nothing of a lattice. Oracle. What is known of a
-// lattice.
+// Claim. interior_points() are the inner points of a lattice of cubes; the volume of a part is that
+// of its lattice, wherever these are and at any scale, negative if the cubes are inside out;
+// fault_of_sides() tells what kind of overlap no places can mend, and nothing of a lattice.
+// Oracle. What is known of a lattice.
 #include "meshing/quality/sides.hpp"
 
 #include <gtest/gtest.h>
@@ -39,14 +39,40 @@ TEST(Sides, OfLattices) {
     EXPECT_EQ(quality::fault_of_sides(mesh), std::nullopt);
     const auto is_interior = quality::interior_points(mesh);
     EXPECT_EQ(std::count(is_interior.begin(), is_interior.end(), 1), (n - 1) * (n - 1) * (n - 1));
-    EXPECT_NEAR(quality::enclosed_volume(mesh), n * n * n, 1e-9);
+    ASSERT_EQ(quality::parts_of(mesh).size(), 1U);
+    EXPECT_NEAR(quality::parts_of(mesh)[0].volume, 1, 1e-9);
+    EXPECT_EQ(quality::parts_of(mesh)[0].boundary_quads, 6 * n * n);
     for (auto& cell : mesh.hexahedra) cells::exchange_axes(cell);
     EXPECT_EQ(quality::fault_of_sides(mesh), std::nullopt);
-    EXPECT_NEAR(quality::enclosed_volume(mesh), -static_cast<double>(n * n * n), 1e-9);
+    EXPECT_NEAR(quality::parts_of(mesh)[0].volume, -1, 1e-9);
+    for (const double scale : {1e-300, 1e300}) {
+      mesh::HexMesh scaled = mesh;
+      for (mesh::Point& p : scaled.points) p = {scale * p.x, scale * p.y, scale * p.z};
+      EXPECT_NEAR(quality::parts_of(scaled)[0].volume, -1, 1e-9);
+    }
     mesh.points.push_back({});
     EXPECT_EQ(quality::points_of_cells(mesh).back(), 0);
     EXPECT_EQ(quality::interior_points(mesh).back(), 0);
   }
+}
+
+TEST(Sides, PartsAreToldApart) {
+  std::mt19937_64 random(3);
+  mesh::HexMesh mesh = lattice(2, random);
+  mesh::HexMesh other = lattice(3, random);
+  const auto shift = static_cast<mesh::Index>(mesh.points.size() - 1);  // a vertex in common
+  for (auto& cell : other.hexahedra) {
+    cells::exchange_axes(cell);
+    for (mesh::Index& v : cell) v = v == 0 ? 0 : v + shift;
+    mesh.hexahedra.push_back(cell);
+  }
+  mesh.points.insert(mesh.points.end(), other.points.begin() + 1, other.points.end());
+  const auto parts = quality::parts_of(mesh);
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].cells.size(), 8U);
+  EXPECT_EQ(parts[1].cells.size(), 27U);
+  EXPECT_NEAR(parts[0].volume, 1, 1e-9);
+  EXPECT_NEAR(parts[1].volume, -1, 1e-9);
 }
 
 TEST(Sides, FaultsAreTold) {
@@ -65,6 +91,10 @@ TEST(Sides, FaultsAreTold) {
   bad.points.resize(bad.points.size() + 4);
   bad.hexahedra.push_back(cell);
   EXPECT_EQ(quality::fault_of_sides(bad), "the quad 1 4 13 10 is in 3 hexahedra");
+  bad = good;  // a hexahedron and its mirror image on the same points
+  bad.hexahedra = {good.hexahedra[0], good.hexahedra[0]};
+  cells::exchange_axes(bad.hexahedra[1]);
+  EXPECT_NE(quality::fault_of_sides(bad)->find("has no boundary"), std::string::npos);
 }
 
 }  // namespace

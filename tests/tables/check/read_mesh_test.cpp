@@ -346,6 +346,14 @@ TEST(ReadMesh, ReadsSurfacesWithColoursAndPolyData) {
       EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
     }
   };
+  // The number of edges may be missing, as for the meshers.
+  const std::string rest = "0 0 0\n1 0 0 9\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+  for (const std::string heading :
+       {"COFF\n4 1\n", "OFF 4 1\n", "OFF\n4 1 # two\n", "OFF\n4 1 4 \n"})
+    EXPECT_EQ(parse_surface("a.off", heading + rest).points, square.points) << heading;
+  expect_malformed("a.off", "COFF\n1 0 0\n0 0 0 red\n", "a.off:3: expected a number");
+  expect_malformed("a.off", "COFF\n1 0 0\n0 0 0 1 2 3 4 5\n", "more numbers than a colour has");
+  expect_malformed("a.off", "COFF\n1 0 0\n0 0\n0\n", "a.off:3: a point has three coordinates");
   bad(head + points, "POINTS and POLYGONS must both be present");
   bad(head + points + polygons + polygons, "POLYGONS occurs twice");
   bad(head + points + "POLYGONS 1 6\n5 0 1 2 3 0\n", "type 7");
