@@ -310,7 +310,11 @@ Kind kind_by_name(std::string file) {
 Kind kind_of(const std::string& file, std::string_view bytes) {
   if (check::is_bound(bytes)) return Kind::bound;
   if (check::is_sectors(bytes)) return Kind::sectors;
-  return check::is_catalogue(bytes) ? Kind::catalogue : kind_by_name(file);
+  const Kind named = kind_by_name(file);
+  // A frame may be a catalogue, or damaged: the name decides, if it says anything.
+  const bool is_text = bytes.starts_with("hexatlas");
+  if (check::is_catalogue(bytes) && (is_text || named == Kind::mesh)) return Kind::catalogue;
+  return named;
 }
 
 ExitCode not_for(const std::string& option, const std::string& file) {

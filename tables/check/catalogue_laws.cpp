@@ -227,10 +227,7 @@ std::string_view judged_definition_digest() noexcept {
 }
 
 bool is_catalogue(std::string_view first_bytes) noexcept {
-  constexpr std::string_view kFirstWords = "hexatlas catalogue ";
-  return begins_zstd_frame(first_bytes)
-             ? start_of_frame(first_bytes, kFirstWords.size()) == kFirstWords
-             : first_bytes.starts_with(kFirstWords);
+  return begins_zstd_frame(first_bytes) || first_bytes.starts_with("hexatlas catalogue ");
 }
 
 CatalogueVerdict check_catalogue_bytes(std::string_view bytes, const std::string& file) {
