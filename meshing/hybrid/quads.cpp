@@ -280,7 +280,7 @@ std::vector<QuadCandidate> quad_candidates(const mesh::FacetMesh& surface,
                                            const QuadLimits& limits) {
   core::expects(limits.quality >= 0 && limits.quality < 1, "a quality in [0, 1)");
   core::expects(limits.fold >= 0 && limits.fold <= 180, "a fold from 0 to 180 degrees");
-  constexpr double kRounding = 1e-9;  // of normals of triangles in one plane, in degrees, and more
+  constexpr double kAllowance = 1e-9;  // of normals of triangles in one plane, in degrees, and more
   std::vector<QuadCandidate> result;
   for_each_edge(surface, [&](std::span<const DirectedEdge> sides) {
     for (std::size_t i = 0; i < sides.size(); ++i)
@@ -291,7 +291,7 @@ std::vector<QuadCandidate> quad_candidates(const mesh::FacetMesh& surface,
         QuadCandidate quad{{e.v, f.apex, e.w, e.apex}, {e.v, e.w}, {e.triangle, f.triangle}, 0};
         quad.quality = quality_of(surface.points, quad.vertices);
         if (!(quad.quality > limits.quality) ||
-            fold_of(surface.points, e, f) > limits.fold + kRounding)
+            fold_of(surface.points, e, f) > limits.fold + kAllowance)
           continue;
         std::rotate(quad.vertices.begin(),
                     std::min_element(quad.vertices.begin(), quad.vertices.end()),
