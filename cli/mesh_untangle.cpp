@@ -14,9 +14,9 @@
 #include "enum/parallel/parallel_for.hpp"
 #include "meshing/hexahedrize/placing.hpp"
 
+#include "meshing/hexahedrize/sides.hpp"
 #include "meshing/io/mesh_files.hpp"
 #include "meshing/quality/report.hpp"
-#include "meshing/quality/sides.hpp"
 
 namespace hexatlas::cli {
 namespace {
@@ -29,14 +29,14 @@ void expect_placeable(const mesh::HexMesh& mesh, const std::string& file) {
     if (std::adjacent_find(cell.begin(), cell.end()) != cell.end())
       throw core::InvalidInput(file, fmt::format("hexahedron {} has a vertex twice", c));
   }
-  if (const auto fault = quality::fault_of_sides(mesh)) throw core::InvalidInput(file, *fault);
+  if (const auto fault = hexahedrize::fault_of_sides(mesh)) throw core::InvalidInput(file, *fault);
 }
 
 /// Each part of the mesh for itself.
 void turn_over_what_is_inside_out(mesh::HexMesh& mesh, const std::string& file) {
   constexpr double kRounding = 1e-12;
   std::size_t turned = 0;
-  for (const quality::Part& part : quality::parts_of(mesh)) {
+  for (const hexahedrize::Part& part : hexahedrize::parts_of(mesh)) {
     if (!(part.volume < -kRounding)) continue;
     for (const std::size_t c : part.cells) cells::exchange_axes(mesh.hexahedra[c]);
     turned += part.cells.size();
@@ -81,8 +81,8 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
   const std::string name = input_name(options.input);
   expect_placeable(mesh, name);
   turn_over_what_is_inside_out(mesh, name);
-  std::vector<std::uint8_t> is_free =
-      options.free_boundary ? quality::points_of_cells(mesh) : quality::interior_points(mesh);
+  std::vector<std::uint8_t> is_free = options.free_boundary ? hexahedrize::points_of_cells(mesh)
+                                                            : hexahedrize::interior_points(mesh);
   const auto moved =
       static_cast<std::size_t>(std::count(is_free.begin(), is_free.end(), std::uint8_t{1}));
   const quality::Report before = quality::report(mesh);

@@ -13,9 +13,9 @@
 #include "enum/core/errors.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "meshing/hexahedrize/placing.hpp"
+#include "meshing/hexahedrize/sides.hpp"
 #include "meshing/io/mesh_files.hpp"
 #include "meshing/quality/report.hpp"
-#include "meshing/quality/sides.hpp"
 #include "tables/check/mesh_check.hpp"
 
 namespace hexatlas::cli {
@@ -42,7 +42,7 @@ Start start_of(const mesh::HexMesh& mesh) {
 
 /// Leaves out points of no hexahedron, which are no vertices of the mesh; says so.
 mesh::HexMesh without_unused_points(mesh::HexMesh mesh, const std::string& file) {
-  const std::vector<std::uint8_t> is_used = quality::points_of_cells(mesh);
+  const std::vector<std::uint8_t> is_used = hexahedrize::points_of_cells(mesh);
   std::vector<mesh::Index> number(mesh.points.size());
   std::vector<mesh::Point> points;
   for (std::size_t v = 0; v < number.size(); ++v) {

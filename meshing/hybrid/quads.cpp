@@ -7,6 +7,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "enum/complex/union_find.hpp"
 #include "enum/core/checks.hpp"
 #include "meshing/quality/edge.hpp"
 #include "meshing/quality/vector.hpp"
@@ -85,27 +86,26 @@ double fold_of(const std::vector<mesh::Point>& points, const DirectedEdge& e,
 class Fans {
  public:
   explicit Fans(const mesh::FacetMesh& surface)
-      : surface_(surface), next_(3 * surface.facets.size()) {
+      : surface_(surface), corners_(3 * surface.facets.size()) {
     constexpr std::int64_t kFewest = 3;
     constexpr std::int64_t kPlenty = std::numeric_limits<std::int64_t>::max() / 2;
-    std::iota(next_.begin(), next_.end(), std::size_t{0});
-    rooms_.assign(next_.size(), -kFewest);
+    rooms_.assign(3 * surface.facets.size(), -kFewest);
     std::vector<std::size_t> open;
     for_each_edge(surface, [&](std::span<const DirectedEdge> sides) {
       for (const Index v : {sides[0].v, sides[0].w}) {
         if (sides.size() == 2)
-          next_[root(corner(sides[0].triangle, v))] = root(corner(sides[1].triangle, v));
+          corners_.unite(corner(sides[0].triangle, v), corner(sides[1].triangle, v));
         else
           for (const DirectedEdge& side : sides) open.push_back(corner(side.triangle, v));
       }
     });
-    for (std::size_t c = 0; c < next_.size(); ++c) ++rooms_[root(c)];
-    for (const std::size_t c : open) rooms_[root(c)] = kPlenty;
+    for (std::size_t c = 0; c < rooms_.size(); ++c) ++rooms_[corners_.find(c)];
+    for (const std::size_t c : open) rooms_[corners_.find(c)] = kPlenty;
   }
 
   /// The fan of a triangle at one of its vertices.
   [[nodiscard]] std::size_t of(std::uint32_t triangle, Index v) {
-    return root(corner(triangle, v));
+    return corners_.find(corner(triangle, v));
   }
   /// How many of its edges each fan can lose so that three facets are left to it; those of one that
   /// is not closed are not counted.
@@ -116,13 +116,9 @@ class Fans {
     const auto& vertices = surface_.facets[triangle].vertices;
     return 3 * std::size_t{triangle} + (vertices[0] == v ? 0U : vertices[1] == v ? 1U : 2U);
   }
-  [[nodiscard]] std::size_t root(std::size_t c) {
-    while (next_[c] != c) c = next_[c] = next_[next_[c]];
-    return c;
-  }
 
   const mesh::FacetMesh& surface_;
-  std::vector<std::size_t> next_;
+  complex::UnionFind corners_;
   std::vector<std::int64_t> rooms_;
 };
 

@@ -2,7 +2,7 @@
 // of its lattice, wherever these are and at any scale, negative if the cubes are inside out;
 // fault_of_sides() tells what kind of overlap no places can mend, and nothing of a lattice.
 // Oracle. What is known of a lattice.
-#include "meshing/quality/sides.hpp"
+#include "meshing/hexahedrize/sides.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,23 +36,23 @@ TEST(Sides, OfLattices) {
   std::mt19937_64 random(1);
   for (const mesh::Index n : {1U, 2U, 3U, 5U}) {
     mesh::HexMesh mesh = lattice(n, random);
-    EXPECT_EQ(quality::fault_of_sides(mesh), std::nullopt);
-    const auto is_interior = quality::interior_points(mesh);
+    EXPECT_EQ(hexahedrize::fault_of_sides(mesh), std::nullopt);
+    const auto is_interior = hexahedrize::interior_points(mesh);
     EXPECT_EQ(std::count(is_interior.begin(), is_interior.end(), 1), (n - 1) * (n - 1) * (n - 1));
-    ASSERT_EQ(quality::parts_of(mesh).size(), 1U);
-    EXPECT_NEAR(quality::parts_of(mesh)[0].volume, 1, 1e-9);
-    EXPECT_EQ(quality::parts_of(mesh)[0].boundary_quads, 6 * n * n);
+    ASSERT_EQ(hexahedrize::parts_of(mesh).size(), 1U);
+    EXPECT_NEAR(hexahedrize::parts_of(mesh)[0].volume, 1, 1e-9);
+    EXPECT_EQ(hexahedrize::parts_of(mesh)[0].boundary_quads, 6 * n * n);
     for (auto& cell : mesh.hexahedra) cells::exchange_axes(cell);
-    EXPECT_EQ(quality::fault_of_sides(mesh), std::nullopt);
-    EXPECT_NEAR(quality::parts_of(mesh)[0].volume, -1, 1e-9);
+    EXPECT_EQ(hexahedrize::fault_of_sides(mesh), std::nullopt);
+    EXPECT_NEAR(hexahedrize::parts_of(mesh)[0].volume, -1, 1e-9);
     for (const double scale : {1e-300, 1e300}) {
       mesh::HexMesh scaled = mesh;
       for (mesh::Point& p : scaled.points) p = {scale * p.x, scale * p.y, scale * p.z};
-      EXPECT_NEAR(quality::parts_of(scaled)[0].volume, -1, 1e-9);
+      EXPECT_NEAR(hexahedrize::parts_of(scaled)[0].volume, -1, 1e-9);
     }
     mesh.points.push_back({});
-    EXPECT_EQ(quality::points_of_cells(mesh).back(), 0);
-    EXPECT_EQ(quality::interior_points(mesh).back(), 0);
+    EXPECT_EQ(hexahedrize::points_of_cells(mesh).back(), 0);
+    EXPECT_EQ(hexahedrize::interior_points(mesh).back(), 0);
   }
 }
 
@@ -67,7 +67,7 @@ TEST(Sides, PartsAreToldApart) {
     mesh.hexahedra.push_back(cell);
   }
   mesh.points.insert(mesh.points.end(), other.points.begin() + 1, other.points.end());
-  const auto parts = quality::parts_of(mesh);
+  const auto parts = hexahedrize::parts_of(mesh);
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0].cells.size(), 8U);
   EXPECT_EQ(parts[1].cells.size(), 27U);
@@ -80,21 +80,21 @@ TEST(Sides, FaultsAreTold) {
   const mesh::HexMesh good = lattice(2, random);
   mesh::HexMesh bad = good;
   cells::exchange_axes(bad.hexahedra[3]);
-  EXPECT_NE(quality::fault_of_sides(bad)->find("on the same side of"), std::string::npos);
+  EXPECT_NE(hexahedrize::fault_of_sides(bad)->find("on the same side of"), std::string::npos);
   bad = good;
   std::swap(bad.hexahedra[0][1], bad.hexahedra[0][3]);
-  EXPECT_NE(quality::fault_of_sides(bad)->find("in different cycles"), std::string::npos);
+  EXPECT_NE(hexahedrize::fault_of_sides(bad)->find("in different cycles"), std::string::npos);
   bad = good;  // a third one at the quad x = 1 of the first
   auto cell = good.hexahedra[0];
   for (const std::size_t corner : {0U, 2U, 4U, 6U})
     cell[corner] = static_cast<mesh::Index>(bad.points.size() + corner / 2);
   bad.points.resize(bad.points.size() + 4);
   bad.hexahedra.push_back(cell);
-  EXPECT_EQ(quality::fault_of_sides(bad), "the quad 1 4 13 10 is in 3 hexahedra");
+  EXPECT_EQ(hexahedrize::fault_of_sides(bad), "the quad 1 4 13 10 is in 3 hexahedra");
   bad = good;  // a hexahedron and its mirror image on the same points
   bad.hexahedra = {good.hexahedra[0], good.hexahedra[0]};
   cells::exchange_axes(bad.hexahedra[1]);
-  EXPECT_NE(quality::fault_of_sides(bad)->find("has no boundary"), std::string::npos);
+  EXPECT_NE(hexahedrize::fault_of_sides(bad)->find("has no boundary"), std::string::npos);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 
 #include "meshing/mesh/mesh.hpp"
 
-namespace hexatlas::quality {
+namespace hexatlas::hexahedrize {
 
 /// 1 for each point that is a vertex of a hexahedron.
 [[nodiscard]] std::vector<std::uint8_t> points_of_cells(const mesh::HexMesh& mesh);
@@ -40,4 +40,4 @@ struct Part {
 /// By their first cells.
 [[nodiscard]] std::vector<Part> parts_of(const mesh::HexMesh& mesh);
 
-}  // namespace hexatlas::quality
+}  // namespace hexatlas::hexahedrize
