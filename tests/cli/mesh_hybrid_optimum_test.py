@@ -66,8 +66,11 @@ def meet_in_a_common_face(one, other):
 def are_compatible(one, other):
     if one.inner & other.inner or one.inner & other.flat or one.flat & other.inner:
         return False
-    return len(one.vertices & other.vertices) < 2 or all(
-        meet_in_a_common_face(f, g) for f in one.faces for g in other.faces)
+    common = one.vertices & other.vertices
+    if len(common) < 2:
+        return True
+    some, others = ([face for face in cell.faces if len(face[0] & common) > 1] for cell in (one, other))
+    return all(meet_in_a_common_face(f, g) for f in some for g in others)
 
 
 def ones(mask):

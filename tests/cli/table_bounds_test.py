@@ -89,7 +89,7 @@ class Bounds(TableTest):
         self.assertNotIn("out.hxt", self.listing())
 
     def build_a_table_with_the_spindle(self):
-        self.expect(0, self.hexatlas("table", "build", "-o", "spindle.hxt", *QUICK, "--cut", "0",
+        self.expect(0, self.hexatlas("table", "build", "-o", "spindle.hxt", *QUICK,
                                      "--max-hexahedra", "1", "--also", "octagonal-spindle",
                                      "--start-from", SHIPPED))
 

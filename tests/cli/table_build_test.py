@@ -16,7 +16,7 @@ import time
 import unittest
 
 import program
-from table_files import QUICK, SMALL
+from table_files import QUICK, SMALL, WITH_CUTS
 
 SHIPPED = os.path.join(program.REPOSITORY, "tables", "data", "hexatlas.hxt")
 
@@ -26,8 +26,9 @@ class Build(program.ProgramTest):
         return self.expect(0, self.hexatlas("table", "build", "-o", name, *SMALL, *options))
 
     def test_same_bytes_for_any_number_of_threads(self):
-        self.build("a.hxt", "-j", "1")
-        self.build("b.hxt", "-j", "2")
+        for name, threads in (("a.hxt", "1"), ("b.hxt", "2")):
+            self.expect(0, self.hexatlas("table", "build", "-o", name, *WITH_CUTS, "--also", "two-cubes",
+                                         "--max-hexahedra", "4", "-j", threads))
         self.assertEqual(self.read("a.hxt"), self.read("b.hxt"))
         manifests = [json.loads(self.read(f"{name}.manifest.json")) for name in "ab"]
         for manifest in manifests:
@@ -74,7 +75,7 @@ class Build(program.ProgramTest):
 
     def test_of_equal_meshes_those_of_the_first_table_stay(self):
         # The search finds most of these small meshes itself, in an order of its own.
-        small = ("--max-quads", "12", *QUICK[4:], "--width", "1000", "--max-hexahedra", "6", "--cut", "0")
+        small = ("--max-quads", "12", *QUICK[4:], "--width", "1000", "--max-hexahedra", "6")
         self.hexatlas("table", "build", "-o", "own.hxt", *small, env={"SOURCE_DATE_EPOCH": "0"})
         rows = {name: self.rows(name) for name in ("own.hxt", SHIPPED)}
         self.assertEqual({row[2] for row in rows["own.hxt"].values()}, {"1970-01-01"})
@@ -180,7 +181,7 @@ class Build(program.ProgramTest):
         for options in (("2", "26", "3000", "0"), ("3", "12", "3000", "0"), ("3", "26", "3000", "0"),
                         ("3", "30", "1", "1000")):
             thick, widest, width, narrow = options
-            self.hexatlas("table", "build", "-o", "c.hxt", *QUICK[:-2], "--also", code, "--cut", "0",
+            self.hexatlas("table", "build", "-o", "c.hxt", *WITH_CUTS[:-2], "--also", code, "--cut", "0",
                           "--max-hexahedra", "2", "--collared", "5", "--collar-hexahedra", thick,
                           "--collar-widest", widest, "--collar-width", width,
                           "--collar-narrow", narrow)
@@ -197,7 +198,7 @@ class Build(program.ProgramTest):
                         ("5", "3", "26", "500", "0"), ("5", "3", "36", "1", "0"),
                         ("0", "2", "26", "500", "3"), ("5", "2", "26", "500", "2"), ("5", "2", "26", "500", "3")):
             boundaries, thick, widest, width, balls = options
-            self.hexatlas("table", "build", "-o", "c.hxt", *QUICK[:-4], "--also", code, "--cut", "0",
+            self.hexatlas("table", "build", "-o", "c.hxt", *WITH_CUTS[:-4], "--also", code, "--cut", "0",
                           "--max-hexahedra", "2", "--collared", "0", "--symmetric", boundaries,
                           "--symmetric-hexahedra", thick, "--symmetric-widest", widest,
                           "--symmetric-width", width, "--symmetric-ball-hexahedra", balls,
@@ -210,7 +211,7 @@ class Build(program.ProgramTest):
     def test_annealing(self):
         # Two balls joined along a disc have some 70 hexahedra; the best known mesh has 35.
         code = "q1:0088a572a5ddff"
-        known = ("--max-quads", "12", "--width", "300", *QUICK[4:], "--max-hexahedra", "8")
+        known = ("--max-quads", "12", "--width", "300", *WITH_CUTS[4:], "--max-hexahedra", "8")
         self.hexatlas("table", "build", "-o", "known.hxt", *known, "--cut", "0", "--start-from", SHIPPED)
         found = {"0": [], "1": []}
         for seed, boundaries in itertools.product(program.share_of(("1", "2", "3")), found):

@@ -7,7 +7,9 @@ import struct
 import program
 
 # A quick build: it finds meshes for the cube and two cubes.
-QUICK = ("--max-quads", "6", "--width", "100", "--rounds", "1", "--growths", "0", "--symmetric", "0", "--collared", "0")
+WITH_CUTS = ("--max-quads", "6", "--width", "100", "--rounds", "1", "--growths", "0", "--symmetric", "0",
+             "--collared", "0")
+QUICK = (*WITH_CUTS, "--cut", "0")
 SMALL = (*QUICK, "--also", "two-cubes", "--max-hexahedra", "4")
 HEADER, DIGEST = 128, 96
 # What a census of the small table may say.

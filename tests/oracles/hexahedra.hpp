@@ -1,11 +1,12 @@
 #pragma once
 /// \file
-/// The strict rule by sets: two hexahedra meet in a face of both, where a face is the set of
-/// vertices got by fixing some coordinates. Quads are compared as sets with their cyclic order.
+/// The strict rule by coordinates of corners: two hexahedra meet in a face of both, where a face is
+/// the set of vertices got by fixing some coordinates; quads have the same edges in both.
 /// Uses the numbering of enum/cells/cube.hpp only as bits: corner v = x + 2y + 4z.
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -58,22 +59,36 @@ inline std::set<Face> faces(const Cell& cell) {
   return result;
 }
 
-inline bool meet_strictly(const Cell& a, const Cell& b) {
-  const Face in_a(a.begin(), a.end());
-  Face common;
-  for (const std::uint32_t v : b)
-    if (in_a.contains(v)) common.insert(v);
-  if (common.size() < 2) return true;
-  if (!faces(a).contains(common) || !faces(b).contains(common)) return false;
-  if (common.size() != 4) return true;
-  std::set<Cycle> of_a;
-  for (const Cycle& quad : outer_quads(a)) {
-    of_a.insert(quad);
-    of_a.insert(reversed(quad));
+inline std::size_t corner_of(const Cell& cell, std::uint32_t v) {
+  return static_cast<std::size_t>(std::find(cell.begin(), cell.end(), v) - cell.begin());
+}
+
+/// Whether these vertices of the cell are as many as agree in the coordinates in which they agree.
+inline bool are_face_of(const Cell& cell, const std::vector<std::uint32_t>& vertices) {
+  std::size_t in_all = 7;
+  std::size_t in_some = 0;
+  for (const std::uint32_t v : vertices) {
+    in_all &= corner_of(cell, v);
+    in_some |= corner_of(cell, v);
   }
-  for (const Cycle& quad : outer_quads(b))
-    if (Face(quad.begin(), quad.end()) == common) return of_a.contains(quad);
-  return false;
+  return vertices.size() == std::size_t{1} << std::popcount(in_all ^ in_some);
+}
+
+/// Whether there is a face of both with all common vertices, and the same edges in both. Requires
+/// that both have eight vertices.
+inline bool meet_strictly(const Cell& a, const Cell& b) {
+  std::vector<std::uint32_t> common;
+  for (const std::uint32_t v : b)
+    if (std::find(a.begin(), a.end(), v) != a.end()) common.push_back(v);
+  if (common.empty()) return true;
+  if (!are_face_of(a, common) || !are_face_of(b, common)) return false;
+  const auto is_edge = [](const Cell& cell, std::uint32_t u, std::uint32_t v) {
+    return std::has_single_bit(corner_of(cell, u) ^ corner_of(cell, v));
+  };
+  for (const std::uint32_t u : common)
+    for (const std::uint32_t v : common)
+      if (is_edge(a, u, v) != is_edge(b, u, v)) return false;
+  return common.size() < 8;
 }
 
 inline bool is_simple(const Cell& cell) { return Face(cell.begin(), cell.end()).size() == 8; }

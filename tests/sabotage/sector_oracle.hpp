@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <random>
@@ -17,6 +16,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "tests/bytes_of.hpp"
 
 namespace hexatlas::sabotage {
 
@@ -324,14 +325,9 @@ inline SlowSector layer_around(const SlowSector& inside) {
   return sector;
 }
 
-inline std::string text_of_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// The only sector of that file: 30 hexahedra on 49 vertices, with scars.
 inline SlowSector scarred_sector() {
-  return slow_read(text_of_file(HEXATLAS_SOURCE_DIR "/tests/tables/check/scarred.hxs"))
+  return slow_read(support::bytes_of(HEXATLAS_SOURCE_DIR "/tests/tables/check/scarred.hxs"))
       .value()
       .at(0);
 }

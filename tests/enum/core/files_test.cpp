@@ -15,6 +15,7 @@
 #include <string>
 
 #include "enum/core/errors.hpp"
+#include "tests/bytes_of.hpp"
 
 namespace {
 
@@ -40,10 +41,6 @@ class Files : public ::testing::Test {
   }
   [[nodiscard]] std::ptrdiff_t entries() const {
     return std::distance(fs::directory_iterator(folder_), fs::directory_iterator{});
-  }
-  static std::string content(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
   }
   /// The superuser may write everywhere, so another user goes on.
   void drop_privileges() {
@@ -73,10 +70,10 @@ TEST_F(Files, AreWrittenWholeAndReadBack) {
   std::string bytes;
   for (int i = 0; i < 300'000; ++i) bytes += static_cast<char>(i * 7 % 256);
   core::write_file(path("a"), bytes);
-  EXPECT_EQ(content(path("a")), bytes);
+  EXPECT_EQ(support::bytes_of(path("a")), bytes);
   EXPECT_EQ(core::read_file(path("a")), bytes);
   core::write_file(path("a"), "");
-  EXPECT_EQ(content(path("a")), "");
+  EXPECT_EQ(support::bytes_of(path("a")), "");
   EXPECT_EQ(core::read_file(path("a")), "");
   EXPECT_EQ(entries(), 1) << "a temporary file was left";
 }
@@ -91,9 +88,9 @@ TEST_F(Files, AreWrittenInParts) {
       EXPECT_FALSE(fs::exists(path("a"))) << "a part of the file can be seen";
     }
   });
-  EXPECT_TRUE(content(path("a")) == expected);
+  EXPECT_TRUE(support::bytes_of(path("a")) == expected);
   core::write_file_in_parts(path("a"), [](const core::Sink&) {});
-  EXPECT_EQ(content(path("a")), "");
+  EXPECT_EQ(support::bytes_of(path("a")), "");
   EXPECT_EQ(entries(), 1) << "a temporary file was left";
 }
 
@@ -106,7 +103,7 @@ TEST_F(Files, WhatWasThereStaysIfAPartIsMissing) {
   for (const char* name : {"a", "b"})
     EXPECT_EQ(message_of<InvalidInput>([&] { core::write_file_in_parts(path(name), fail); }),
               "f: no more");
-  EXPECT_EQ(content(path("a")), "old");
+  EXPECT_EQ(support::bytes_of(path("a")), "old");
   EXPECT_EQ(entries(), 1) << "a file was left";
 }
 
@@ -133,7 +130,7 @@ TEST_F(Files, ALinkIsFollowed) {
   fs::create_symlink(path("target"), path("link"));
   core::write_file(path("link"), "new");
   EXPECT_TRUE(fs::is_symlink(path("link")));
-  EXPECT_EQ(content(path("target")), "new");
+  EXPECT_EQ(support::bytes_of(path("target")), "new");
 }
 
 TEST_F(Files, WhatWasThereStaysInAReadOnlyFolder) {
@@ -144,7 +141,7 @@ TEST_F(Files, WhatWasThereStaysInAReadOnlyFolder) {
   EXPECT_THROW(core::write_file(path("a"), "new"), InvalidInput);
   EXPECT_THROW(core::write_file(path("b"), "new"), InvalidInput);
   fs::permissions(folder_, fs::perms::owner_all);
-  EXPECT_EQ(content(path("a")), "old");
+  EXPECT_EQ(support::bytes_of(path("a")), "old");
   EXPECT_EQ(entries(), 1);
 }
 
@@ -154,7 +151,7 @@ TEST_F(Files, WhatWasThereStaysIfItIsReadOnly) {
   core::write_file(path("a"), "old");
   fs::permissions(path("a"), fs::perms::owner_read);
   EXPECT_THROW(core::write_file(path("a"), "new"), InvalidInput);
-  EXPECT_EQ(content(path("a")), "old");
+  EXPECT_EQ(support::bytes_of(path("a")), "old");
 }
 
 TEST_F(Files, AFileWithALongNameIsReplaced) {
@@ -162,7 +159,7 @@ TEST_F(Files, AFileWithALongNameIsReplaced) {
   const std::string name(250, 'n');
   { std::ofstream(path(name)) << "old"; }
   core::write_file(path(name), "new");
-  EXPECT_EQ(content(path(name)), "new");
+  EXPECT_EQ(support::bytes_of(path(name)), "new");
   EXPECT_THROW(core::write_file(path(std::string(300, 'n')), "new"), InvalidInput);
   EXPECT_EQ(entries(), 1) << "a temporary file was left";
 }
@@ -172,7 +169,7 @@ TEST_F(Files, ALinkIsFollowedAndALinkToNothingIsRefused) {
   fs::create_symlink(path("target"), path("link"));
   core::write_file(path("link"), "new");
   EXPECT_TRUE(fs::is_symlink(path("link")));
-  EXPECT_EQ(content(path("target")), "new");
+  EXPECT_EQ(support::bytes_of(path("target")), "new");
   fs::create_symlink(path("nothing"), path("dangling"));
   EXPECT_THROW(core::write_file(path("dangling"), "new"), InvalidInput);
   EXPECT_TRUE(fs::is_symlink(path("dangling")));

@@ -16,6 +16,7 @@
 #include "tests/enum/flips/faults.hpp"
 #include "tests/enum/flips/small_beam.hpp"
 #include "tests/enum/support.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
@@ -36,13 +37,14 @@ TEST(FaultyCut, KnowsItsFaults) {
 
 TEST(FaultyCut, HasAllKindsThatTwoBallsMake) {
   const auto beam = support::grown(14, 2, 9, 5);
+  const auto wanted = static_cast<std::size_t>(support::share_of(8));
   std::map<canon::Code, support::Kinds> expected;
   support::for_each_match(support::all_balls(beam), 8, 1, [&](const support::Match& match) {
     if (match.boundary_quads() != 16 || match.may_be_glued()) return;
     const auto boundary = match.boundary();
     if (!boundary || !boundary->is_three_connected()) return;
     const auto code = canon::canonical_form(*boundary).code;
-    if (expected.size() == 8 && !expected.contains(code)) return;
+    if (expected.size() == wanted && !expected.contains(code)) return;
     const auto cells = match.cells();
     if (support::has_facet_thrice(cells)) return;
     expected[code].emplace(support::faults_of(cells), static_cast<int>(cells.size()));
@@ -57,8 +59,8 @@ TEST(FaultyCut, HasAllKindsThatTwoBallsMake) {
         << canon::to_text(code);
     all += kinds.size();
   }
-  EXPECT_EQ(expected.size(), 8U);
-  EXPECT_GT(all, 16U);
+  EXPECT_EQ(expected.size(), wanted);
+  EXPECT_GE(all, 2 * wanted);
 }
 
 TEST(FaultyCut, GivesDifferentOnesForAnotherSeed) {

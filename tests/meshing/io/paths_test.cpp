@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "enum/core/errors.hpp"
+#include "tests/bytes_of.hpp"
 #include "tests/meshing/io/samples.hpp"
 
 namespace {
@@ -55,11 +56,6 @@ class Files : public testing::Test {
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
 
-  [[nodiscard]] static std::string bytes_of(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-
  private:
   std::filesystem::path folder_;
 };
@@ -71,10 +67,10 @@ TEST_F(Files, WrittenAndRead) {
     EXPECT_TRUE(same(io::read_hexahedra(path(name)), cube)) << name;
   }
   io::write_hexahedra(path("odd.name"), cube, medit);
-  EXPECT_EQ(bytes_of(path("odd.name")), bytes_of(path("a.mesh")));
+  EXPECT_EQ(support::bytes_of(path("odd.name")), support::bytes_of(path("a.mesh")));
   EXPECT_TRUE(same(io::read_hexahedra(path("odd.name"), medit), cube));
   io::write_hexahedra(path("two.msh"), cube, {}, {io::GmshVersion::v2_2, {}});
-  EXPECT_TRUE(bytes_of(path("two.msh")).starts_with("$MeshFormat\n2.2 0 8\n"));
+  EXPECT_TRUE(support::bytes_of(path("two.msh")).starts_with("$MeshFormat\n2.2 0 8\n"));
 }
 
 TEST_F(Files, SurfaceRead) {

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
+#include "tests/bytes_of.hpp"
 #include "tests/fuzz/round_trip.hpp"
 
 namespace {
@@ -35,18 +35,13 @@ std::vector<std::filesystem::path> files_below(const std::filesystem::path& fold
   return files;
 }
 
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 TEST(Replay, SeedsOfEachFormat) {
   const std::filesystem::path corpus = HEXATLAS_SOURCE_DIR "/tests/fuzz/corpus";
   for (const auto& [name, format] : kFormats) {
     const auto files = files_below(corpus / name);
     EXPECT_FALSE(files.empty()) << name;
     for (const auto& path : files) {
-      const fuzz::Outcome outcome = fuzz::check_bytes(bytes_of(path), format);
+      const fuzz::Outcome outcome = fuzz::check_bytes(support::bytes_of(path), format);
       const std::string file = path.filename();
       EXPECT_TRUE(outcome.is_surface || !file.starts_with("surface_")) << path;
       EXPECT_TRUE(outcome.is_tetrahedral || !file.starts_with("tetrahedra_")) << path;
@@ -61,7 +56,7 @@ TEST(Replay, Findings) {
   for (const auto& path : files_below(HEXATLAS_SOURCE_DIR "/tests/regressions/io"))
     for (const auto& [name, format] : kFormats) {
       SCOPED_TRACE(path.string() + " as " + name);
-      EXPECT_NO_THROW(static_cast<void>(fuzz::check_bytes(bytes_of(path), format)));
+      EXPECT_NO_THROW(static_cast<void>(fuzz::check_bytes(support::bytes_of(path), format)));
     }
 }
 

@@ -5,13 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <limits>
 
+#include "tests/bytes_of.hpp"
 #include "tests/meshing/io/malformed.hpp"
 #include "tests/meshing/io/random_meshes.hpp"
 #include "tests/meshing/io/sample_points.hpp"
+#include "tests/share.hpp"
 
 namespace {
 
@@ -160,10 +161,6 @@ class TetrahedraFiles : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
   [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
-  [[nodiscard]] static std::string bytes_of(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
 
  private:
   std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) /
@@ -173,15 +170,16 @@ class TetrahedraFiles : public testing::Test {
 
 TEST_F(TetrahedraFiles, AreWhatIsInMemory) {
   std::mt19937_64 random(1);
-  const mesh::TetMesh mesh{random_points(random, 60000), random_cells<4>(random, 60000, 9)};
+  const int size = support::share_of(60000);
+  const mesh::TetMesh mesh{random_points(random, size), random_cells<4>(random, size, 9)};
   for (const FileFormat format : kTetFormats) {
     const std::string file = path("a" + std::string(io::extension_of(format)));
     io::expect_tetrahedra_writable(file);
     io::write_tetrahedra(file, view(mesh));
-    EXPECT_TRUE(bytes_of(file) == io::to_text(view(mesh), format)) << file;
+    EXPECT_TRUE(support::bytes_of(file) == io::to_text(view(mesh), format)) << file;
     EXPECT_TRUE(same(io::read_tetrahedra(file), mesh)) << file;
     io::write_tetrahedra(path("odd.name"), view(mesh), format);
-    EXPECT_TRUE(bytes_of(path("odd.name")) == bytes_of(file)) << file;
+    EXPECT_TRUE(support::bytes_of(path("odd.name")) == support::bytes_of(file)) << file;
   }
 }
 
@@ -191,7 +189,7 @@ TEST_F(TetrahedraFiles, WhatWasThereStays) {
   mesh::TetMesh bad = kTwo;
   bad.tetrahedra[0][0] = 8;
   EXPECT_THROW(io::write_tetrahedra(file, view(bad)), core::PreconditionViolated);
-  EXPECT_EQ(bytes_of(file), hxtet_bytes());
+  EXPECT_EQ(support::bytes_of(file), hxtet_bytes());
   for (const char* name : {"a.obj", "a.ply", "a.xyz", "a.stl", "missing/a.vtu"}) {
     EXPECT_THROW(io::write_tetrahedra(path(name), view(kTwo)), core::InvalidInput) << name;
     EXPECT_THROW(io::expect_tetrahedra_writable(path(name)), core::InvalidInput) << name;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <optional>
 #include <random>
@@ -41,15 +42,11 @@ bool contains(const Cell& cell, std::size_t v) {
 /// Corner i of a cell by coordinates: two corners differ in one bit along an edge.
 unsigned bits_of(std::size_t corner) { return std::array{0U, 1U, 3U, 2U, 4U, 5U, 7U, 6U}[corner]; }
 
-/// The neighbours of a vertex in a cell.
-std::set<std::size_t> neighbours(const Cell& cell, std::size_t v) {
-  const auto at = static_cast<std::size_t>(std::find(cell.begin(), cell.end(), v) - cell.begin());
-  std::set<std::size_t> found;
-  for (std::size_t i = 0; i < 8; ++i) {
-    const unsigned difference = bits_of(i) ^ bits_of(at);
-    if (difference == 1 || difference == 2 || difference == 4) found.insert(cell[i]);
-  }
-  return found;
+bool have_edge(const Cell& cell, std::size_t u, std::size_t v) {
+  const auto at = [&](std::size_t w) {
+    return bits_of(static_cast<std::size_t>(std::find(cell.begin(), cell.end(), w) - cell.begin()));
+  };
+  return std::has_single_bit(at(u) ^ at(v));
 }
 
 /// Whether the common vertices are a face of both, with the same edges.
@@ -61,8 +58,8 @@ bool meet_strictly(const Cell& a, const Cell& b) {
   std::size_t edges = 0;
   for (const std::size_t u : common) {
     for (const std::size_t v : common) {
-      if (neighbours(a, u).contains(v) != neighbours(b, u).contains(v)) return false;
-      if (u < v && neighbours(a, u).contains(v)) ++edges;
+      if (have_edge(a, u, v) != have_edge(b, u, v)) return false;
+      if (u < v && have_edge(a, u, v)) ++edges;
     }
   }
   return common.size() < 2 || (common.size() == 2 && edges == 1) ||
@@ -217,9 +214,9 @@ class Walk {
     const Cell& cell = mesh_.cells[c];
     BoundCorners tops{};
     for (unsigned i = 0; i < 4; ++i) {
-      for (const std::size_t v : neighbours(cell, named_[facet.corners[i]])) {
+      for (const std::size_t v : cell) {
         const bool is_corner = number_[v] < 64 && (facet.vertices >> number_[v] & 1U) != 0;
-        if (is_corner) continue;
+        if (is_corner || !have_edge(cell, named_[facet.corners[i]], v)) continue;
         if (number_[v] == 255) {
           number_[v] = static_cast<std::uint8_t>(named_.size());
           named_.push_back(v);
