@@ -26,10 +26,11 @@ void add_report(CLI::App& app, Options& options) {
                "Exit with 4 unless every hexahedron is proven valid");
 }
 
-void add_effort(CLI::App& app, int& effort) {
-  app.add_option("--effort", effort,
-                 "Limit of the work to place interior vertices, about seconds on one core; 0: "
-                 "harmonic places only")
+void add_effort(CLI::App& app, int& effort, const char* without = "harmonic places only") {
+  app.add_option(
+         "--effort", effort,
+         std::string("Limit of the work to place vertices, about seconds on one core; 0: ") +
+             without)
       ->check(CLI::Range(0, untangle::kMaxEffort))
       ->capture_default_str();
 }
@@ -70,7 +71,7 @@ void add_mesh_untangle(CLI::App& mesh, Action& action) {
   command->add_flag("--free-boundary", options->free_boundary, "Move all vertices")
       ->excludes(harmonic);
   add_report(*command, *options);
-  add_effort(*command, options->effort);
+  add_effort(*command, options->effort, "harmonic places with --harmonic, else those given");
   add_threads(*command, options->threads);
   command->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
                   example("hexatlas mesh untangle mesh.vtu -o better.vtu"));

@@ -42,7 +42,10 @@ void add_mesh(nlohmann::ordered_json& json, const HybridAccount& account) {
   json["volume_fraction"] =
       of_each(account.report, [&](const auto& r) { return r.volume / whole; });
   json["min_scaled_jacobian"] =
-      of_each(account.report, [](const auto& r) { return r.min_scaled_jacobian; });
+      of_each(account.report, [](const auto& r) -> nlohmann::ordered_json {
+        if (r.cells == 0) return nullptr;
+        return r.min_scaled_jacobian;
+      });
   json["conforming"] = combined.quads_on_triangles == 0;
   json["quads_on_triangles"] = combined.quads_on_triangles;
   json["given_up"] = combined.given_up;

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "cli/output.hpp"
+#include "enum/cells/cube.hpp"
 #include "enum/core/files.hpp"
+#include "meshing/hexahedrize/sides.hpp"
 #include "meshing/io/mesh_files.hpp"
 
 namespace hexatlas::cli {
@@ -119,6 +121,19 @@ void expect_hybrid_writable(const std::string& output) {
 
 void write_hybrid(const std::string& output, const mesh::HybridMesh& mesh) {
   io::write_hybrid(output, mesh, format_on(output));
+}
+
+void turn_over_what_is_inside_out(mesh::HexMesh& mesh, const std::string& file) {
+  constexpr double kRounding = 1e-12;
+  std::size_t turned = 0;
+  for (const hexahedrize::Part& part : hexahedrize::parts_of(mesh)) {
+    if (!(part.volume < -kRounding)) continue;
+    for (const std::size_t c : part.cells) cells::exchange_axes(mesh.hexahedra[c]);
+    turned += part.cells.size();
+  }
+  if (turned != 0)
+    say(fmt::format("note: {} of the {} hexahedra of {} were inside out and turned over", turned,
+                    mesh.hexahedra.size(), file));
 }
 
 std::string quality_text(const quality::Report& report) {

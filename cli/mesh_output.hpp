@@ -59,6 +59,10 @@ void tell(const std::string& output, const std::string& text);
 /// Likewise with the mesh or the report there.
 void tell(const MeshFiles& files, const std::string& text);
 
+/// Turns over each part of the mesh that is inside out, which has a negative volume; says so.
+/// Requires a mesh without hexahedrize::fault_of_sides().
+void turn_over_what_is_inside_out(mesh::HexMesh& mesh, const std::string& file);
+
 /// Two lines: the scaled Jacobians and what is proven; the hexahedra by tenths of the scaled
 /// Jacobian.
 [[nodiscard]] std::string quality_text(const quality::Report& report);

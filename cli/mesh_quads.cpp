@@ -75,8 +75,9 @@ ExitCode mesh_quads(const MeshQuadsOptions& options) {
   if (!chosen.empty()) account.min_quality = 1;
   for (const std::size_t i : chosen) {
     account.min_quality = std::min(account.min_quality, candidates[i].quality);
-    account.mean_quality += candidates[i].quality / static_cast<double>(chosen.size());
+    account.mean_quality += candidates[i].quality;
   }
+  if (!chosen.empty()) account.mean_quality /= static_cast<double>(chosen.size());
   write_facets(options.output, result);
   tell(options.output, options.json ? json_line(account) : summary(account, options.output));
   return ExitCode::yes;

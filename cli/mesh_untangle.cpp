@@ -8,7 +8,6 @@
 #include "cli/mesh_output.hpp"
 #include "cli/mesh_report.hpp"
 #include "cli/output.hpp"
-#include "enum/cells/cube.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
@@ -30,20 +29,6 @@ void expect_placeable(const mesh::HexMesh& mesh, const std::string& file) {
       throw core::InvalidInput(file, fmt::format("hexahedron {} has a vertex twice", c));
   }
   if (const auto fault = hexahedrize::fault_of_sides(mesh)) throw core::InvalidInput(file, *fault);
-}
-
-/// Each part of the mesh for itself.
-void turn_over_what_is_inside_out(mesh::HexMesh& mesh, const std::string& file) {
-  constexpr double kRounding = 1e-12;
-  std::size_t turned = 0;
-  for (const hexahedrize::Part& part : hexahedrize::parts_of(mesh)) {
-    if (!(part.volume < -kRounding)) continue;
-    for (const std::size_t c : part.cells) cells::exchange_axes(mesh.hexahedra[c]);
-    turned += part.cells.size();
-  }
-  if (turned != 0)
-    say(fmt::format("note: {} of the {} hexahedra of {} were inside out and turned over", turned,
-                    mesh.hexahedra.size(), file));
 }
 
 nlohmann::ordered_json json_of(const quality::Report& report) {

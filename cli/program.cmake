@@ -15,7 +15,7 @@ add_executable(hexatlas
   cli/realize.cpp cli/reproduce.cpp cli/simplify.cpp cli/table_bounds.cpp cli/table_build.cpp cli/table_by_quads.cpp
   cli/table_check.cpp cli/table_path.cpp cli/table_read.cpp cli/table_write.cpp cli/child_process.cpp
   cli/view.cpp cli/view_page.cpp cli/view_picture.cpp)
-target_compile_options(hexatlas PRIVATE ${HEXATLAS_COLD_OPTIONS})  # what takes time is in the layers
+target_compile_options(hexatlas PRIVATE ${HEXATLAS_COLDEST_OPTIONS})  # what takes time is in the layers
 hexatlas_share_units(hexatlas
   APART cli/child_process.cpp cli/enum_hexmeshes.cpp cli/enum_quadrangulations.cpp cli/mesh_delaunay.cpp |
     cli/mesh_quads.cpp)

@@ -128,9 +128,10 @@ ExitCode simplify_mesh(const SimplifyOptions& options) {
     return ExitCode::usage;
   expect_mesh_writable(options.output);
   const std::string name = input_name(options.input);
-  const mesh::HexMesh given = without_unused_points(io::read_hexahedra(options.input), name);
+  mesh::HexMesh given = without_unused_points(io::read_hexahedra(options.input), name);
   if (!is_shown_ball(given, name))
     say("note: that " + name + " is a ball was not shown; what is written is homeomorphic to it");
+  turn_over_what_is_inside_out(given, name);
   const Start start = start_of(given);
   const simplify::Simplified made = searched(start.mesh, options);
   const bool is_smaller = made.mesh.hexahedra.size() < given.hexahedra.size();

@@ -119,9 +119,11 @@ class VtkReader {
   }
 
   void check_number_type() {
-    constexpr std::array<std::string_view, 14> kTypes{
-        "DOUBLE", "FLOAT", "INT", "UNSIGNED_INT",  "LONG",      "UNSIGNED_LONG",  "VTKTYPEINT64",
-        "SHORT",  "CHAR",  "BIT", "UNSIGNED_CHAR", "VTKIDTYPE", "UNSIGNED_SHORT", "VTKTYPEUINT64"};
+    constexpr std::array<std::string_view, 15> kTypes{
+        "DOUBLE",         "FLOAT",         "INT",           "UNSIGNED_INT",
+        "LONG",           "UNSIGNED_LONG", "VTKTYPEINT64",  "SHORT",
+        "CHAR",           "BIT",           "UNSIGNED_CHAR", "VTKIDTYPE",
+        "UNSIGNED_SHORT", "VTKTYPEUINT64", "VTKTYPEINT32"};
     const std::string_view type = scanner_.word("a type of numbers");
     if (std::find(kTypes.begin(), kTypes.end(), upper(type)) == kTypes.end())
       scanner_.fail("unknown type of numbers " + in_quotes(type));

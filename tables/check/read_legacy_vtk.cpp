@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "tables/check/readers.hpp"
 #include "tables/check/scanner.hpp"
@@ -22,7 +23,31 @@ constexpr std::array<ShapeNumber, 8> kVtkShapes = {{{1, Shape::kVertex},
 
 constexpr std::uint64_t kTriangle = 5;
 constexpr std::uint64_t kPolygon = 7;
+constexpr std::uint64_t kPixel = 8;
 constexpr std::uint64_t kQuad = 9;
+constexpr std::uint64_t kVoxel = 11;
+constexpr std::uint64_t kHexahedron = 12;
+
+/// A type of numbers and how many bytes one of them takes.
+struct NumberType {
+  std::string_view name;
+  std::uint64_t width;
+};
+constexpr std::array<NumberType, 8> kIntegers = {{{"int", 4},
+                                                  {"unsigned_int", 4},
+                                                  {"long", 8},
+                                                  {"unsigned_long", 8},
+                                                  {"vtkIdType", 4},
+                                                  {"vtktypeint32", 4},
+                                                  {"vtktypeint64", 8},
+                                                  {"vtktypeuint64", 8}}};
+/// Which only fields may have.
+constexpr std::array<NumberType, 6> kOtherNumbers = {{{"char", 1},
+                                                      {"unsigned_char", 1},
+                                                      {"short", 2},
+                                                      {"unsigned_short", 2},
+                                                      {"float", 4},
+                                                      {"double", 8}}};
 
 /// The bits of a number, most significant byte first.
 template <class Bits>
@@ -100,16 +125,24 @@ void read_rows(Scanner& in, VtkCells& cells) {
   if (cells.connectivity.size() + rows != size) in.fail("the size of CELLS is wrong");
 }
 
+template <std::size_t kTypes>
+std::optional<std::uint64_t> width_of(const std::array<NumberType, kTypes>& types,
+                                      std::string_view name) {
+  for (const NumberType& type : types) {
+    if (type.name == name) return type.width;
+  }
+  return std::nullopt;
+}
+
 /// CELLS n+1 size, OFFSETS type and n+1 numbers, CONNECTIVITY type and size numbers.
 void read_offsets_and_connectivity(Scanner& in, bool binary, VtkCells& cells) {
   const auto read_numbers = [&in, binary](std::uint64_t count) {
     const std::string_view type = in.word();
-    if (type != "vtktypeint64" && type != "vtktypeint32") {
-      in.fail("unknown type of integers " + in_quotes(type));
-    }
+    const std::optional<std::uint64_t> width = width_of(kIntegers, type);
+    if (!width) in.fail("unknown type of integers " + in_quotes(type));
     if (binary) {
-      return type == "vtktypeint64" ? binary_naturals<std::uint64_t>(in, count)
-                                    : binary_naturals<std::uint32_t>(in, count);
+      return *width == 8 ? binary_naturals<std::uint64_t>(in, count)
+                         : binary_naturals<std::uint32_t>(in, count);
     }
     std::vector<std::uint64_t> numbers;
     for (std::uint64_t i = 0; i < count; ++i) numbers.push_back(in.natural());
@@ -153,6 +186,32 @@ void read_types(Scanner& in, bool binary, VtkCells& cells) {
     cells.types = binary_naturals<std::uint32_t>(in, count);
   } else {
     for (std::uint64_t i = 0; i < count; ++i) cells.types.push_back(in.natural());
+  }
+}
+
+void pass_over_information(Scanner& in) {
+  in.skip_line();
+  in.skip_paragraph();
+}
+
+/// FIELD name n, then n arrays "name components tuples type" with their numbers.
+void pass_over_field(Scanner& in, bool binary) {
+  static_cast<void>(in.word());
+  const std::uint64_t arrays = in.count(8);
+  for (std::uint64_t i = 0; i < arrays; ++i) {
+    while (in.peek() == "METADATA") pass_over_information(in);
+    static_cast<void>(in.word());
+    const std::uint64_t components = in.count(1);
+    const std::uint64_t numbers = components * in.count(1);
+    const std::string_view type = in.word();
+    std::optional<std::uint64_t> width = width_of(kIntegers, type);
+    if (!width) width = width_of(kOtherNumbers, type);
+    if (!width) in.fail("unknown type of numbers " + in_quotes(type));
+    if (binary) {
+      static_cast<void>(body(in, numbers, *width));
+    } else {
+      for (std::uint64_t k = 0; k < numbers; ++k) static_cast<void>(in.real());
+    }
   }
 }
 
@@ -214,8 +273,9 @@ bool read_section(Scanner& in, Style style, Sections& seen, Draft& draft, VtkCel
     once(in, seen.types, keyword);
     read_types(in, style.binary, cells);
   } else if (keyword == "METADATA") {
-    in.skip_line();
-    in.skip_paragraph();
+    pass_over_information(in);
+  } else if (keyword == "FIELD") {
+    pass_over_field(in, style.binary);
   } else if ((keyword == "CELL_DATA" || keyword == "POINT_DATA") && seen.cells && seen.types) {
     return true;
   } else {
@@ -243,20 +303,25 @@ void add_vtk_cells(const VtkCells& cells, Draft& draft,
     }
   }
   for (std::size_t cell = 0; cell < cells.types.size(); ++cell) {
-    const std::uint64_t type = cells.types[cell];
+    // The types of boxes of a grid have the corners in another order.
+    const bool is_pixel = cells.types[cell] == kPixel;
+    const bool is_voxel = cells.types[cell] == kVoxel;
+    const std::uint64_t type = is_pixel ? kQuad : is_voxel ? kHexahedron : cells.types[cell];
     const std::uint64_t size = cells.offsets[cell + 1] - cells.offsets[cell];
     const auto* const known =
         std::find_if(kVtkShapes.begin(), kVtkShapes.end(),
                      [type](const ShapeNumber& candidate) { return candidate.number == type; });
     if (known == kVtkShapes.end() || size != corner_count(known->shape) ||
         draft.refuses(known->shape)) {
-      fail("cell " + std::to_string(cell) + " of VTK type " + std::to_string(type) + " with " +
-           std::to_string(size) + " vertices is " + draft.refusal());
+      fail("cell " + std::to_string(cell) + " of VTK type " + std::to_string(cells.types[cell]) +
+           " with " + std::to_string(size) + " vertices is " + draft.refusal());
     }
     std::array<std::uint32_t, 8> corners{};
     for (std::size_t i = 0; i < size; ++i) {
       corners[i] = static_cast<std::uint32_t>(cells.connectivity[cells.offsets[cell] + i]);
     }
+    if (is_pixel || is_voxel) std::swap(corners[2], corners[3]);
+    if (is_voxel) std::swap(corners[6], corners[7]);
     draft.add(known->shape, std::span(corners).first(size));
   }
 }
@@ -265,12 +330,18 @@ Draft parse_legacy_vtk(const std::string& name, std::string_view bytes, Wanted w
   Scanner in(name, bytes);
   for (const std::string_view word : {"#", "vtk", "DataFile", "Version"}) in.expect(word);
   const std::string_view version = in.word();
-  const bool rows = version == "2.0" || version == "3.0" || version == "4.2";
+  constexpr std::array<std::string_view, 5> kWithRows = {"2.0", "3.0", "4.0", "4.1", "4.2"};
+  const bool rows = std::find(kWithRows.begin(), kWithRows.end(), version) != kWithRows.end();
   if (!rows && version != "5.1") in.fail("unknown version " + in_quotes(version));
   in.skip_line();
   in.skip_line();
   const bool binary = in.peek() == "BINARY";
-  for (const std::string_view word : {binary ? "BINARY" : "ASCII", "DATASET"}) in.expect(word);
+  in.expect(binary ? "BINARY" : "ASCII");
+  if (in.peek() == "FIELD") {
+    in.expect("FIELD");
+    pass_over_field(in, binary);
+  }
+  in.expect("DATASET");
   const bool polygons = in.peek() == "POLYDATA";
   in.expect(polygons ? "POLYDATA" : "UNSTRUCTURED_GRID");
   Draft draft(wanted);

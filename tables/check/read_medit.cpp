@@ -10,13 +10,21 @@ namespace hexatlas::check {
 namespace {
 
 /// Sections of marks on vertices and cells: numbers per row.
-constexpr std::array<std::pair<std::string_view, unsigned>, 6> kPassedOver = {
+constexpr std::array<std::pair<std::string_view, unsigned>, 14> kPassedOver = {
     {{"Corners", 1},
      {"Ridges", 1},
      {"RequiredVertices", 1},
      {"RequiredEdges", 1},
      {"RequiredTriangles", 1},
-     {"RequiredQuadrilaterals", 1}}};
+     {"RequiredQuadrilaterals", 1},
+     {"Normals", 3},
+     {"NormalAtVertices", 2},
+     {"NormalAtTriangleVertices", 3},
+     {"NormalAtQuadrilateralVertices", 3},
+     {"Tangents", 3},
+     {"TangentAtVertices", 2},
+     {"TangentAtEdgeVertices", 3},
+     {"TangentAtQuadrilateralVertices", 3}}};
 
 constexpr std::array<std::pair<std::string_view, Shape>, 8> kCells = {
     {{"Edges", Shape::kLine},
@@ -28,10 +36,9 @@ constexpr std::array<std::pair<std::string_view, Shape>, 8> kCells = {
      {"Prisms", Shape::kPrism},
      {"Pyramids", Shape::kPyramid}}};
 
-/// The shape of the cells of a section, if it has any that are not refused.
-std::optional<Shape> shape_of(std::string_view section, const Draft& draft) {
+std::optional<Shape> shape_of(std::string_view section) {
   for (const auto& [name, shape] : kCells) {
-    if (name == section && !draft.refuses(shape)) return shape;
+    if (name == section) return shape;
   }
   return std::nullopt;
 }
@@ -41,6 +48,7 @@ void read_cells(Scanner& in, Shape shape, Draft& draft) {
   std::array<std::uint32_t, 8> corners{};
   const auto used = std::span(corners).first(corner_count(shape));
   const std::uint64_t count = in.count(2 * used.size());
+  if (count != 0 && draft.refuses(shape)) in.fail("a cell is " + std::string(draft.refusal()));
   for (std::uint64_t cell = 0; cell < count; ++cell) {
     for (std::uint32_t& vertex : used) vertex = in.index(1, draft.points.size());
     static_cast<void>(in.integer());
@@ -61,7 +69,7 @@ void pass_over(Scanner& in, std::string_view keyword) {
   for (const auto& [name, numbers] : kPassedOver) {
     if (name != keyword) continue;
     const std::uint64_t count = in.count(2 * numbers);
-    for (std::uint64_t i = 0; i < count * numbers; ++i) static_cast<void>(in.integer());
+    for (std::uint64_t i = 0; i < count * numbers; ++i) static_cast<void>(in.real());
     return;
   }
   in.fail("unknown or unsupported keyword " + in_quotes(keyword));
@@ -82,7 +90,7 @@ Draft parse_medit(const std::string& name, std::string_view bytes, Wanted wanted
   for (std::string_view keyword = in.word(); keyword != "End"; keyword = in.word()) {
     if (keyword == "Vertices") {
       read_vertices(in, draft.points);
-    } else if (const std::optional<Shape> shape = shape_of(keyword, draft)) {
+    } else if (const std::optional<Shape> shape = shape_of(keyword)) {
       if (seen[static_cast<std::size_t>(*shape)]) in.fail("a section of cells occurs twice");
       seen[static_cast<std::size_t>(*shape)] = true;
       read_cells(in, *shape, draft);

@@ -13,18 +13,19 @@ using Words = std::vector<std::string_view>;
 constexpr std::size_t kMostColours = 4;  ///< numbers
 
 /// Records of an OBJ file that say nothing about points and faces.
-constexpr std::array<std::string_view, 8> kPassedOver = {"vn", "vt", "vp",     "g",
-                                                         "o",  "s",  "usemtl", "mtllib"};
+constexpr std::array<std::string_view, 10> kPassedOver = {"vn", "vt", "vp", "g",      "o",
+                                                          "s",  "l",  "p",  "usemtl", "mtllib"};
 
-/// "7", "7/1", "7//2", "7/1/2"; negative numbers count back from the last point so far.
-std::uint32_t obj_vertex(const Scanner& in, std::string_view word, std::size_t points) {
+/// "7", "7/1", "7//2", "7/1/2"; negative numbers count back from the last of the points so far.
+std::uint32_t obj_vertex(const Scanner& in, std::string_view word, std::size_t so_far,
+                         std::size_t points) {
   const std::int64_t number = in.integer_from(word.substr(0, word.find('/')));
-  const auto count = static_cast<std::int64_t>(points);
-  if (number == 0 || number > count || number < -count) {
-    in.fail("point " + std::to_string(number) + " is not among the " + std::to_string(points) +
-            " points so far");
+  const auto before = static_cast<std::int64_t>(so_far);
+  if (number == 0 || number > static_cast<std::int64_t>(points) || number < -before) {
+    in.fail("point " + std::to_string(number) + " is not among the " +
+            std::to_string(number < 0 ? so_far : points) + " points");
   }
-  return static_cast<std::uint32_t>(number > 0 ? number - 1 : count + number);
+  return static_cast<std::uint32_t>(number > 0 ? number - 1 : before + number);
 }
 
 Point obj_point(const Scanner& in, const Words& words) {
@@ -74,15 +75,16 @@ Quad off_quad(const Scanner& in, const Words& words, std::size_t points) {
 
 Surface parse_obj(const std::string& name, std::string_view bytes) {
   Scanner in(name, bytes, '#');
-  Surface surface;
+  Surface surface{parse_obj_points(name, bytes), {}};
+  std::size_t points = 0;  // so far
   for (Words words = in.line_of_words(); !words.empty(); words = in.line_of_words()) {
     if (words[0] == "v") {
-      surface.points.push_back(obj_point(in, words));
+      ++points;
     } else if (words[0] == "f") {
       if (words.size() != 5) in.fail("a face is not a quad");
       Quad quad{};
       for (std::size_t i = 0; i < 4; ++i) {
-        quad[i] = obj_vertex(in, words[i + 1], surface.points.size());
+        quad[i] = obj_vertex(in, words[i + 1], points, surface.points.size());
       }
       surface.quads.push_back(quad);
     } else if (std::find(kPassedOver.begin(), kPassedOver.end(), words[0]) == kPassedOver.end()) {

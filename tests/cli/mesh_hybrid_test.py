@@ -56,6 +56,8 @@ class MeshHybridTest(program.ProgramTest):
         self.assertEqual(made["selected"],
                          {"hexahedra": 27, "prisms": 0, "pyramids": 0, "tetrahedra": 0})
         self.assertEqual(made["volume_fraction"]["hexahedra"], 1)
+        self.assertAlmostEqual(made["min_scaled_jacobian"].pop("hexahedra"), 1)
+        self.assertEqual(made["min_scaled_jacobian"], {"prisms": None, "pyramids": None, "tetrahedra": None})
         self.succeeds("check", "cubes.vtu")
 
     def test_candidates_without_a_mesh(self):

@@ -100,6 +100,19 @@ class Simplify(program.ProgramTest):
         made = hex_files.read_vtk(self.read("out.vtk").decode())
         self.assertEqual(hex_files.bits(made[0]), hex_files.bits(moved))
 
+    def test_hexahedra_inside_out_are_turned_over(self):
+        mesh = self.table_mesh("two-cubes")
+        for points, cells in (mesh, wrapped(*mesh)):
+            count = len(cells)
+            for given, note in ((cells, ""), ([cell[4:] + cell[:4] for cell in cells],
+                                              f"hexatlas: note: {count} of the {count} hexahedra of in.vtk were "
+                                              "inside out and turned over\n")):
+                self.write("in.vtk", vtk(points, given))
+                ran = self.expect(0, self.hexatlas("simplify", "in.vtk", "-o", "out.vtk", "--json", "--tries", "500"))
+                said = json.loads(ran.out)
+                self.assertEqual((said["after"], said["valid"], said["inverted"]), (2, 2, 0))
+                self.assertEqual(ran.err, note)
+
     def test_parts_spares_the_whole(self):
         self.write("in.vtk", vtk(*wrapped(*self.table_mesh("two-cubes"))))
         self.assertEqual(self.simplified()["after"], 2)

@@ -183,11 +183,70 @@ TEST(ReadMesh, AcceptsHarmlessOddities) {
   expect_equal(parse_mesh("a.vtk", replaced(examples::vtk_51(mesh), "CELLS ",
                                             "METADATA\nINFORMATION 0\n\nCELLS ")),
                mesh);
-  const Surface surface =
-      parse_surface("a.obj",
-                    "o a\nv 0 0 0\nv +1 0 0 1\nv 1 1 0 0.5 0.5 0.5\nv 0 1e0 0\nvn 0 0 1\n"
-                    "usemtl m\nf 1/1/1 -3//1 3/4 -1 # a quad\n");
+  const std::string empty = "Triangles 0\nNormals 1\n0 0 .5\nTangentAtVertices 1\n1 1\nHexahedra";
+  expect_equal(parse_mesh("a.mesh", replaced(examples::medit(mesh), "Hexahedra", empty)), mesh);
+  const Surface surface = parse_surface(
+      "a.obj",
+      "o a\nl 1 2\np 1\nv 0 0 0\nv +1 0 0 1\nv 1 1 0 0.5 0.5 0.5\nv 0 1e0 0\nvn 0 0 1\n"
+      "usemtl m\nf 1/1/1 -3//1 3/4 -1 # a quad\n");
   EXPECT_EQ(surface.quads, (std::vector<Quad>{{0, 1, 2, 3}}));
+}
+
+/// A file "BINARY" or not, of one quad or cube: numbers, in the style of version 5.1.
+std::string with_field(bool binary, const std::string& type) {
+  const auto big_endian = [](auto bits) {
+    std::string bytes;
+    for (std::size_t i = sizeof bits; i-- > 0;) bytes += static_cast<char>(bits >> (8 * i) & 0xFFU);
+    return bytes;
+  };
+  const auto numbers = [&](const std::vector<std::uint64_t>& list, bool narrow) {
+    std::string text;
+    for (const std::uint64_t number : list)
+      text += !binary  ? std::to_string(number) + "\n"
+              : narrow ? big_endian(static_cast<std::uint32_t>(number))
+                       : big_endian(number);
+    return text + (binary ? "\n" : "");
+  };
+  const bool narrow = type == "vtktypeint32";
+  const std::string field = "FIELD FieldData 2\nTimeValue 1 1 int\n" + numbers({7}, true) +
+                            "METADATA\nINFORMATION 0\n\nb 2 3 long\n" +
+                            numbers({1, 2, 3, 4, 5, 0}, false);
+  std::vector<std::uint64_t> points(12);  // all zero, as bits or in words
+  return std::string("# vtk DataFile Version 5.1\ntitle\n") + (binary ? "BINARY\n" : "ASCII\n") +
+         field + "DATASET UNSTRUCTURED_GRID\n" + field + "POINTS 4 double\n" +
+         numbers(points, false) + "CELLS 2 4\nOFFSETS " + type + "\n" + numbers({0, 4}, narrow) +
+         "CONNECTIVITY " + type + "\n" + numbers({0, 1, 2, 3}, narrow) + "CELL_TYPES 1\n" +
+         numbers({8}, true);
+}
+
+TEST(ReadMesh, ReadsFieldsPixelsAndTypesOfIntegers) {
+  for (const bool binary : {false, true})
+    for (const std::string type : {"vtktypeint32", "vtktypeint64"}) {
+      const Surface surface = parse_surface("a.vtk", with_field(binary, type));
+      EXPECT_EQ(surface.points.size(), 4U);
+      EXPECT_EQ(surface.quads, (std::vector<Quad>{{0, 1, 3, 2}}));
+    }
+  const auto bad = [](const std::string& from, const std::string& to, const std::string& words) {
+    expect_malformed("a.vtk", replaced(with_field(false, "int"), from, to), words);
+  };
+  bad("TimeValue 1 1 int", "TimeValue 1 1 string", "unknown type of numbers 'string'");
+  bad("TimeValue 1 1", "TimeValue 1 2", "expected a number");
+  bad("TimeValue 1 1", "TimeValue 1 99999", "more than the rest of the file");
+  bad("FieldData 2", "FieldData 3", "a.vtk:");
+  bad("OFFSETS int", "OFFSETS float", "unknown type of integers 'float'");
+}
+
+TEST(ReadMesh, ReadsVoxels) {
+  const Mesh mesh = sample();
+  for (const std::string version : {"2.0", "4.0", "4.1"}) {
+    std::string file = replaced(examples::vtk_2(mesh), "2.0", version);
+    const std::size_t types = file.find("CELL_TYPES");
+    file.replace(file.find("\n12\n", types), 4, "\n11\n");
+    Mesh expected = mesh;
+    std::swap(expected.hexahedra[0][2], expected.hexahedra[0][3]);
+    std::swap(expected.hexahedra[0][6], expected.hexahedra[0][7]);
+    expect_equal(parse_mesh("a.vtk", file), expected);
+  }
 }
 
 TEST(ReadMesh, RefusesMalformedVtk) {
@@ -212,7 +271,7 @@ TEST(ReadMesh, RefusesMalformedVtk) {
   bad("double\n0 0 0", "double\n0 0,5 0", "a.vtk:6: expected a number");
   bad("double\n0 0 0", "double\n0 --3 0", "a.vtk:6: expected a number");
   bad("\n8 ", "\n7 ", "size of CELLS is wrong");
-  bad("\n12\n", "\n11\n", "neither a hexahedron nor a quad");
+  bad("\n12\n", "\n13\n", "neither a hexahedron nor a quad");
   bad("\n9\n", "\n12\n", "neither a hexahedron nor a quad");
   bad("\n8 0", "\n8 27", "point 27 is not among the 27 points");
   bad("\n8 0", "\n8 4294967296", "point 4294967296 is not among");
@@ -272,7 +331,7 @@ TEST(ReadMesh, RefusesMalformedMedit) {
   bad("End", "End more", "something follows End");
   bad("Formatted 2", "Formatted 99", "unknown version");
   bad("Dimension 3", "Dimension 2", "expected '3'");
-  bad("Hexahedra", "Tetrahedra", "unknown or unsupported keyword 'Tetrahedra'");
+  bad("Hexahedra", "Tetrahedra", "a cell is neither a hexahedron nor a quad");
   bad("Quadrilaterals", "Hexahedra", "occurs twice");
   bad("Vertices\n27", "Vertices\n26", "unknown or unsupported keyword");
   bad("Quadrilaterals\n24", "Quadrilaterals\n4000000000", "more than the rest");
@@ -306,7 +365,9 @@ TEST(ReadMesh, RefusesMalformedGmsh) {
 TEST(ReadMesh, RefusesMalformedPolygons) {
   expect_malformed("a.obj", "v 0 0\n", "a.obj:1: a point has three");
   expect_malformed("a.obj", "v 0 0 0\nf 1 1 1\n", "a.obj:2: a face is not a quad");
-  expect_malformed("a.obj", "v 0 0 0\nf 1 1 1 2\n", "point 2 is not among");
+  expect_malformed("a.obj", "v 0 0 0\nf 1 1 1 2\n", "a.obj:2: point 2 is not among");
+  expect_malformed("a.obj", "f 1 1 1 -1\nv 0 0 0\n", "a.obj:1: point -1 is not among the 0");
+  EXPECT_EQ(parse_surface("a.obj", "f 1 2 1 2\nv 0 0 0\nv 1 0 0\n").points.size(), 2U);
   expect_malformed("a.obj", "v 0 0 0\nf 1 1 1 0\n", "point 0 is not among");
   expect_malformed("a.obj", "v 0 0 0\nf 1 1 1 -2\n", "point -2 is not among");
   expect_malformed("a.obj", "v 0 0 0\nf 1 1 1 /1\n", "expected an integer");
