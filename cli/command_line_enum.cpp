@@ -66,10 +66,14 @@ void add_quadrangulations(CLI::App& parent, Action& action) {
   auto* count = command->add_flag("--count")->description("Counts only; the default without -o");
   add_shard(*command, options->shard,
             "Part R of M as R/M, R from 0 on; the parts 0 to M-1 are together the whole");
+  auto* output = command
+                     ->add_option("-o,--output", options->output,
+                                  "List to write in planar_code, or - for standard output")
+                     ->excludes(count);
   command
-      ->add_option("-o,--output", options->output,
-                   "List to write in planar_code, or - for standard output")
-      ->excludes(count);
+      ->add_flag("--codes", options->codes,
+                 "Write canonical codes, as `table list` does, one in each line")
+      ->needs(output);
   command->add_flag("--json", options->json, "Print one JSON object");
   add_threads(*command, options->threads);
   command->footer("Exit code 4 if the search was stopped.\n" +

@@ -226,6 +226,7 @@ struct EnumQuadrangulationsOptions {
   std::string class_name = "3-connected";  ///< or min-degree-3, simple
   std::string shard;                       ///< as for shard_from(); empty: the whole
   std::string output;
+  bool codes = false;  ///< instead of planar_code
   bool json = false;
   int threads = 0;  ///< 0: all processors
 };

@@ -13,6 +13,7 @@
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output.hpp"
+#include "enum/canon/code.hpp"
 #include "enum/core/checks.hpp"
 #include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
@@ -28,7 +29,7 @@ constexpr std::uint64_t kParts = 32;
 
 struct Found {
   quads::Sums sums;
-  std::string planar_code;  ///< without header; empty if not asked for
+  std::string list;  ///< without header; empty if not asked for
 };
 
 quads::Class class_named(const std::string& name) {
@@ -47,8 +48,11 @@ Found part_of(const EnumQuadrangulationsOptions& options, std::uint64_t part,
   Found found;
   quads::Visit visit;
   if (!options.output.empty())
-    visit = [&found](const complex::Quadrangulation& q, int, int) {
-      quads::append_planar_code(q, found.planar_code);
+    visit = [&found, &options](const complex::Quadrangulation& q, int, int) {
+      if (options.codes)
+        found.list += canon::to_text(canon::canonical_form(q).code) + "\n";
+      else
+        quads::append_planar_code(q, found.list);
     };
   const quads::Shard shard = shard_of(options);
   found.sums = quads::generate(
@@ -69,10 +73,10 @@ Found find(const EnumQuadrangulationsOptions& options) {
     progress.update("parts of the search", ++done, kParts);
   });
   Found all;
-  if (!options.output.empty()) all.planar_code = quads::kPlanarCodeHeader;
+  if (!options.output.empty() && !options.codes) all.list = quads::kPlanarCodeHeader;
   for (Found& part : parts) {
     all.sums += part.sums;
-    all.planar_code += part.planar_code;
+    all.list += part.list;
     part = {};
   }
   return all;
@@ -123,7 +127,7 @@ ExitCode enum_quadrangulations(const EnumQuadrangulationsOptions& options) {
     say(options.output.empty() ? "stopped; there is no total" : "stopped; nothing is written");
     return ExitCode::undecided;
   }
-  if (!options.output.empty()) core::write_file(options.output, found.planar_code);
+  if (!options.output.empty()) core::write_file(options.output, found.list);
   const std::string text =
       options.json ? json_line(options, found.sums) : report(options, found.sums);
   if (options.output == "-")

@@ -7,10 +7,12 @@
 
 #include <array>
 #include <filesystem>
-#include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "cli/commands.hpp"
+#include "cli/interrupt.hpp"
 #include "cli/long_work.hpp"
 #include "cli/output.hpp"
 #include "enum/balls/spheres.hpp"
@@ -72,28 +74,39 @@ class Reproduction {
         threads_(parallel::threads_or_all(options.threads)),
         cell_(*complex::cell_named("hexahedron")) {}
 
-  bool run() {
+  /// Whether all claims hold; nothing if it was stopped, which would look like a refutation.
+  std::optional<bool> run() {
     if (!folder_.empty())
       for (const std::string name : {kCatalogueFile, kPicturesFile, kProofFile})
         core::expect_writable(path_of(name));
     enumerate();
     enumerate_through_spheres();
     answer(Condition::embedded);
+    if (stop_requested()) return std::nullopt;
     compare_realizable();
-    answer_in_part(Condition::convex, kConvex);
-    answer_in_part(Condition::jacobian, kWithJacobian);
+    for (const auto& [condition, realizable] :
+         {std::pair{Condition::convex, kConvex}, {Condition::jacobian, kWithJacobian}}) {
+      answer(condition);
+      if (stop_requested()) return std::nullopt;
+      compare_in_part(condition, realizable);
+    }
     judge();
     prove_complete();
-    if (!folder_.empty()) {
-      write(kCatalogueFile, format::catalogue_bytes(catalogue_));
-      write(kPicturesFile, sheet::contact_sheet(catalogue_));
-    }
+    if (stop_requested()) return std::nullopt;
+    write_all();
     return ledger_.all_agree();
   }
 
  private:
   [[nodiscard]] std::string path_of(const std::string& name) const {
     return (std::filesystem::path(folder_) / name).string();
+  }
+
+  void write_all() {
+    if (folder_.empty()) return;
+    if (!proof_.empty()) write(kProofFile, proof_);
+    write(kCatalogueFile, format::catalogue_bytes(catalogue_));
+    write(kPicturesFile, sheet::contact_sheet(catalogue_));
   }
 
   void write(const std::string& name, const std::string& bytes) {
@@ -143,8 +156,7 @@ class Reproduction {
   }
 
   /// Answers in full take longer searches; those that come at once must not contradict them.
-  void answer_in_part(Condition condition, std::size_t realizable) {
-    answer(condition);
+  void compare_in_part(Condition condition, std::size_t realizable) {
     const build::AnswerCounts counts = build::count_answers(catalogue_, condition);
     ledger_.hold(fmt::format("as far as answered, not beyond {} by coordinates and {} refuted",
                              realizable, kClasses - realizable),
@@ -182,7 +194,7 @@ class Reproduction {
                  verdict.complete);
     ledger_.compare("labelled, by the judge", verdict.labelled,
                     static_cast<std::size_t>(census_.total().labelled));
-    if (!folder_.empty()) write(kProofFile, *certificate);
+    proof_ = *certificate;
   }
 
   std::string folder_;
@@ -190,6 +202,7 @@ class Reproduction {
   complex::Cell cell_;
   balls::Census census_;
   format::Catalogue catalogue_;
+  std::string proof_;  ///< of completeness; empty if none was found
   Ledger ledger_;
 };
 
@@ -202,9 +215,13 @@ ExitCode reproduce(const ReproduceOptions& options) {
     if (error)
       throw core::InvalidInput(options.folder, "cannot be made a folder: " + error.message());
   }
-  const bool agrees = Reproduction(options).run();
-  print(agrees ? "hexahedron-174: reproduced\n" : "hexahedron-174: NOT reproduced\n");
-  return agrees ? ExitCode::yes : ExitCode::no;
+  const std::optional<bool> agrees = Reproduction(options).run();
+  if (!agrees) {
+    say("stopped; whether hexahedron-174 is reproduced is open, and nothing is written");
+    return ExitCode::undecided;
+  }
+  print(*agrees ? "hexahedron-174: reproduced\n" : "hexahedron-174: NOT reproduced\n");
+  return *agrees ? ExitCode::yes : ExitCode::no;
 }
 
 }  // namespace hexatlas::cli

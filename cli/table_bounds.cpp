@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,7 +20,7 @@
 namespace hexatlas::cli {
 namespace {
 
-constexpr std::size_t kRowsPerStep = 64;
+constexpr std::size_t kMostRowsPerStep = 64;
 
 /// What is known of the table that the bounds are for.
 struct Given {
@@ -74,16 +75,58 @@ void take_step(std::span<format::TableRow* const> rows, const build::BoundOption
   }
 }
 
+/// The same command was stopped before: bounds are of the boundary, whatever its mesh.
+void take_over(const format::Table& earlier, Given& work) {
+  const std::map<canon::Code, Found> found = found_in_census(earlier);
+  std::size_t taken = 0;
+  for (format::TableRow& row : work.table.rows) {
+    const auto ordinal = earlier.find(row.code);
+    if (!ordinal) continue;
+    const format::TableEntry entry = earlier.entry(*ordinal);
+    const auto hexahedra = static_cast<int>(row.mesh.hexahedra.size());
+    if (entry.hexahedra >= hexahedra && entry.lower_bound <= row.lower_bound) continue;
+    if (entry.lower_bound > hexahedra)
+      throw core::InvalidInput(earlier.path(), "claims a lower bound above the mesh of " +
+                                                   canon::to_text(row.code) + " in TABLE");
+    ++taken;
+    row.lower_bound = std::max(row.lower_bound, entry.lower_bound);
+    if (entry.hexahedra >= hexahedra) continue;
+    row.mesh = earlier.mesh(*ordinal);
+    const auto source = found.find(row.code);
+    work.making.found[row.code] = source == found.end() ? Found{"table", today()} : source->second;
+  }
+  if (taken != 0)
+    say(fmt::format("goes on with {} of {}", counted(taken, "boundary", "boundaries"),
+                    earlier.path()));
+}
+
+/// What is at -o already, if that is another table than the one given.
+void take_over_what_is_there(const std::string& output, const format::Table& given, Given& work) {
+  if (!is_there(output)) return;
+  std::optional<format::Table> earlier;
+  try {
+    earlier = format::Table::open(output);
+  } catch (const core::InvalidInput&) {
+    return;  // no table: it will be one
+  }
+  if (earlier->sha256() != given.sha256()) take_over(*earlier, work);
+}
+
 /// Whether all rows had their turn; otherwise a stop was asked for, and the last ones may have been
 /// cut short.
 bool proceed(Given& work, std::span<format::TableRow* const> rows,
              const TableBoundsOptions& options, const build::BoundOptions& searches, Tally& tally) {
   ProgressLine line;
   double saved = seconds();
+  // Nothing is saved within a step: hard boundaries come a few at a time.
+  const auto least = static_cast<std::size_t>(searches.threads);
+  std::size_t step = least;
   for (std::size_t done = 0; done < rows.size() && !stop_requested();) {
-    const std::size_t step = std::min(kRowsPerStep, rows.size() - done);
+    const double begin = seconds();
+    step = std::min(step, rows.size() - done);
     take_step(rows.subspan(done, step), searches, work.making, tally);
     done += step;
+    step = seconds() - begin < 1 ? std::min(2 * step, kMostRowsPerStep) : least;
     line.update("boundaries", done, rows.size());
     if (seconds() - saved < options.save_every || done == rows.size()) continue;
     write_table(options.output, work.table, work.making);
@@ -138,6 +181,7 @@ ExitCode table_bounds(const TableBoundsOptions& options) {
   expect_table_writable(options.output);
   const format::Table before = format::Table::open(table_path(options.table));
   Given work = given(before, options.command);
+  take_over_what_is_there(options.output, before, work);
   const auto chosen = chosen_from(before, options, work.table.rows);
   Tally tally;
   const bool had_all_turns = proceed(work, chosen, options,
@@ -154,7 +198,7 @@ ExitCode table_bounds(const TableBoundsOptions& options) {
     say(fmt::format("for {} --max-nodes ended the search; their bounds may be too small",
                     counted(tally.cut, "boundary", "boundaries")));
   else
-    say("stopped; the same command for the table " + options.output + " goes on");
+    say("stopped; the same command goes on with " + options.output);
   return ExitCode::undecided;
 }
 

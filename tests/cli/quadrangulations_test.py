@@ -106,6 +106,20 @@ class QuadrangulationsTest(program.ProgramTest):
             self.assertEqual(len(found), count)
             self.assertEqual(len(set(map(code, found))), count)
 
+    def test_list_of_codes(self):
+        expected = self.expect(0, self.hexatlas("table", "list")).out.splitlines()[1:]
+        expected = [row.split("\t")[0] for row in expected]
+        found = []
+        for quads in ("6", "8", "10", "12", "14"):
+            self.expect(0, self.hexatlas("enum", "quadrangulations", "--quads", quads, "--codes", "-o", "list.txt"))
+            found += self.read("list.txt").decode().splitlines()
+        self.assertEqual(len(found), 1 + 1 + 3 + 11 + 58)
+        self.assertEqual(sorted(found), sorted(expected[:len(found)]))
+        simple = self.expect(0, self.hexatlas("enum", "quadrangulations", "--quads", "7", "--class", "simple", "--codes",
+                                              "-o", "-")).out.splitlines()
+        self.assertEqual((len(simple), len(set(simple))), (18, 18))
+        self.expect(2, self.hexatlas("enum", "quadrangulations", "--quads", "6", "--codes"))
+
     def test_list_on_standard_output(self):
         self.enum("--quads", "10", "-o", "list")
         with open(self.path("out"), "wb") as out:

@@ -53,7 +53,7 @@ class Bounds(TableTest):
         said = self.bounds("small.hxt", "-o", "small.hxt", "--max-hexes", "9", "--max-quads", "6")
         self.assertEqual((said["raised"], said["by_bound"]), (0, {"1": 2}))
         for only, raised in (("cube", 0), ("q1:08a5df", 0), ("two-cubes", 1), ("q1:022972977f", 1)):
-            said = self.bounds("small.hxt", "-o", "out.hxt", "--max-hexes", "9", "--only", only)
+            said = self.bounds("small.hxt", "-o", f"{only[:2]}{only[-2:]}.hxt", "--max-hexes", "9", "--only", only)
             self.assertEqual(said["raised"], raised)
         for word in ("pyramid", "q1:088a577f"):
             self.expect_fault(self.hexatlas("table", "bounds", "small.hxt", "-o", "out.hxt",
@@ -92,6 +92,24 @@ class Bounds(TableTest):
         self.expect(0, self.hexatlas("table", "build", "-o", "spindle.hxt", *QUICK,
                                      "--max-hexahedra", "1", "--also", "octagonal-spindle",
                                      "--start-from", SHIPPED))
+
+    def test_the_same_command_goes_on_with_what_it_wrote(self):
+        self.bounds("small.hxt", "-o", "out.hxt", "--max-hexes", "5")
+        data = self.read("out.hxt")
+        for words in (("--max-hexes", "1"), ("--max-hexes", "5", "--only", "cube")):
+            ran = self.expect(0, self.hexatlas("table", "bounds", "small.hxt", "-o", "out.hxt", *words, "--json"))
+            self.assertEqual(json.loads(ran.out)["raised"], 0)
+            self.assertEqual(ran.err, "hexatlas: goes on with 1 boundary of out.hxt\n")
+            self.assertEqual(self.read("out.hxt"), data)
+        self.expect(0, self.hexatlas("table", "check", "out.hxt"))
+        # A bound above the number of hexahedra known cannot be true.
+        os.remove(self.path("out.census.sqlite"))
+        self.write("out.hxt", with_bound(self.good, TWO_CUBES, 3))
+        self.expect_fault(self.hexatlas("table", "bounds", "small.hxt", "-o", "out.hxt", "--max-hexes", "1"), "out.hxt")
+        os.remove(self.path("out.manifest.json"))
+        self.write("out.hxt", b"no table")
+        self.bounds("small.hxt", "-o", "out.hxt", "--max-hexes", "5")
+        self.assertEqual(self.read("out.hxt"), data)
 
     def test_a_stop_keeps_what_was_proven(self):
         self.build_a_table_with_the_spindle()

@@ -7,6 +7,10 @@ integers; every subset of tetrahedra of the prism.
 import hashlib
 import itertools
 import json
+import os
+import signal
+import subprocess
+import time
 
 import program
 import surfaces
@@ -211,6 +215,25 @@ class TriangulationsTest(program.ProgramTest):
                 "enum", "polyhedra", "--vertices", str(vertices), "--json")).out)
             self.assertEqual(len(said["polyhedra"]), number)
         self.expect(2, self.hexatlas("enum", "spheres", "--vertices", "11"))
+
+
+class ReproduceTest(program.ProgramTest):
+    def test_a_stop_is_no_refutation(self):
+        os.mkdir(self.path("out"))
+        good = self.write("out/hexahedron.hxc", b"what was there")
+        for stop in (signal.SIGINT, signal.SIGTERM):
+            with subprocess.Popen([program.PROGRAM, "reproduce", "hexahedron-174", "-o", "out"], cwd=self.folder,
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+                while running.poll() is None and not program.catches(running, stop):
+                    time.sleep(0.002)
+                running.send_signal(stop)
+                out, err = running.communicate(timeout=300)
+            self.assertEqual(running.returncode, 4, out)
+            self.assertNotIn(b"FAIL", out)
+            self.assertTrue(err.endswith(b"hexatlas: stopped; whether hexahedron-174 is reproduced is open, and nothing is "
+                                         b"written\n"), err)
+            self.assertEqual(os.listdir(self.path("out")), ["hexahedron.hxc"])
+            self.assertEqual(self.read(good), b"what was there")
 
 
 class RealizeTest(program.ProgramTest):
