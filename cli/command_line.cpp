@@ -10,6 +10,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -57,6 +58,19 @@ std::string suggestion(const CLI::App& command, const std::string& word) {
       best = name;
     }
   return best.empty() ? "." : "; did you mean `" + best + "`?";
+}
+
+/// The word as a shell reads it, in quotes if it must be.
+std::string for_shell(const std::string& word) {
+  constexpr std::string_view kPlain = "-_./:,=+@%";
+  const auto is_plain = [&](unsigned char c) {
+    return (c < 128 && std::isalnum(c) != 0) ||
+           kPlain.find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
 }
 
 std::string verbs_of(const CLI::App& command) {
@@ -227,7 +241,7 @@ ExitCode run_command_line(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   // Manifests should not depend on where the program happened to lie.
   std::string command_line = "hexatlas";
-  for (const std::string& word : words) command_line += " " + word;
+  for (const std::string& word : words) command_line += " " + for_shell(word);
   Action action;
   add_mesh(app, action);
   add_simplify(app, action);

@@ -85,11 +85,14 @@ void take_over(const format::Table& earlier, Given& work) {
     const format::TableEntry entry = earlier.entry(*ordinal);
     const auto hexahedra = static_cast<int>(row.mesh.hexahedra.size());
     if (entry.hexahedra >= hexahedra && entry.lower_bound <= row.lower_bound) continue;
-    if (entry.lower_bound > hexahedra)
-      throw core::InvalidInput(earlier.path(), "claims a lower bound above the mesh of " +
-                                                   canon::to_text(row.code) + " in TABLE");
+    const std::uint16_t bound = std::max(row.lower_bound, entry.lower_bound);
+    if (bound > std::min(int{entry.hexahedra}, hexahedra))
+      throw core::InvalidInput(earlier.path(),
+                               "has a mesh below the lower bound in TABLE, or the "
+                               "other way round, of " +
+                                   canon::to_text(row.code));
     ++taken;
-    row.lower_bound = std::max(row.lower_bound, entry.lower_bound);
+    row.lower_bound = bound;
     if (entry.hexahedra >= hexahedra) continue;
     row.mesh = earlier.mesh(*ordinal);
     const auto source = found.find(row.code);

@@ -9,6 +9,7 @@ import hashlib
 import itertools
 import json
 import os
+import shlex
 import signal
 import sqlite3
 import subprocess
@@ -103,6 +104,9 @@ class Build(program.ProgramTest):
         self.assertEqual((manifest["seed"], manifest["complete_through"]), (5, 6))
         self.assertEqual(manifest["command"],
                          "hexatlas " + " ".join(["table", "build", "-o", "small.hxt", *SMALL, "--seed", "5"]))
+        self.build("it's a table.hxt")
+        command = json.loads(self.read("it's a table.manifest.json"))["command"]
+        self.assertEqual(shlex.split(command), ["hexatlas", "table", "build", "-o", "it's a table.hxt", *SMALL])
         one = {"entries": 1, "least": 1, "greatest": 1, "total": 1}
         self.assertEqual(manifest["by_quads"]["6"], one)
 
