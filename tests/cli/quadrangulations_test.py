@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Claim. `enum quadrangulations` counts and lists the quadrangulations of a class; the output does not
 depend on the number of threads; shards add up; a stopped run claims nothing; bad arguments are refused.
-Oracle. The published counts; planar_code, read again here as docs/formats/planar_code.md has it;
+Oracle. The published counts; the codes of the table, which the judge proves complete; planar_code, read again here as docs/formats/planar_code.md has it;
 isomorphism by comparing codes of all flags of the lists of neighbours.
 """
 import json

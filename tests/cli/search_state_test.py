@@ -18,8 +18,9 @@ TARGETS = ("--max-quads", "6", "--also", "two-cubes", "--also", "three-around-an
 ROUNDS = "1" if program.SANITIZED else "2"
 OPTIONS = (*TARGETS, "--width", "50", "--max-hexahedra", "12", "--rounds", ROUNDS, "--symmetric", "2",
            "--symmetric-width", "20", "--symmetric-hexahedra", "12", "--collared", "2",
-           "--collar-width", "50", "--cut", "2", "--cut-growths", "20", "--annealed", "1", "--anneal-starts", "3", "--anneal-rounds", "1",
-           "--anneal-leaps", "1", "--anneal-faulty", "3", "--anneal-cut", "0" if program.SANITIZED else "2", "--anneal-transplant", "2")
+           "--collar-width", "50", "--cut", "2", "--cut-growths", "20", "--annealed", "1", "--anneal-starts", "3",
+           "--anneal-rounds", "1", "--anneal-leaps", "1", "--anneal-faulty", "3",
+           "--anneal-cut", "0" if program.SANITIZED else "2", "--anneal-transplant", "2")
 ENDLESS = (*TARGETS, "--width", "200", "--max-hexahedra", "72", "--rounds", "1000")  # many minutes
 SAVED = ("--state", "s.state", "--save-every", "0")
 FOUND_ALL_OR_NOT = (0, 4)

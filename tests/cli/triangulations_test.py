@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Claim. `enum` counts and writes triangulations, spheres, balls and polyhedra; `realize` answers with
-certificates; `check` judges them; limited runs claim nothing; bad input is refused in one line.
+certificates; `check` judges them; limited runs and a stopped `reproduce` claim nothing; bad
+input is refused in one line.
 Oracle. The numbers of the literature; docs/formats/catalogue.md, read again here; determinants of Python
 integers; every subset of tetrahedra of the prism.
 """
