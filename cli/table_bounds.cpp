@@ -28,16 +28,22 @@ struct Given {
   Making making;
 };
 
-/// Where there is no census, or no manifest, what it would say is not known.
+/// Of each mesh; where there is no census, what it would say is not known.
+std::map<canon::Code, Found> sources_in(const format::Table& table) {
+  std::map<canon::Code, Found> result = found_in_census(table);
+  const Found unknown{"table", today()};
+  for (std::size_t i = 0; i < table.size(); ++i) result.try_emplace(table.entry(i).code, unknown);
+  return result;
+}
+
+/// Nor is the seed known where there is no manifest.
 Given given(const format::Table& table, const std::string& command) {
-  Given result{{build::rows_of(table), {}, table.complete_through()}, {command, 0, {}}};
+  Given result{{build::rows_of(table), {}, table.complete_through()},
+               {command, 0, sources_in(table)}};
   for (const format::TableName& name : table.names())
     result.table.names.push_back({name.name, table.entry(name.ordinal).code});
   const std::string manifest = format::manifest_path(table.path());
   if (is_there(manifest)) result.making.seed = format::read_manifest(manifest).seed;
-  for (const format::TableRow& row : result.table.rows)
-    result.making.found[row.code] = {"table", today()};
-  for (const auto& [code, found] : found_in_census(table)) result.making.found[code] = found;
   return result;
 }
 
@@ -77,7 +83,7 @@ void take_step(std::span<format::TableRow* const> rows, const build::BoundOption
 
 /// The same command was stopped before: bounds are of the boundary, whatever its mesh.
 void take_over(const format::Table& earlier, Given& work) {
-  const std::map<canon::Code, Found> found = found_in_census(earlier);
+  const std::map<canon::Code, Found> sources = sources_in(earlier);
   std::size_t taken = 0;
   for (format::TableRow& row : work.table.rows) {
     const auto ordinal = earlier.find(row.code);
@@ -95,8 +101,7 @@ void take_over(const format::Table& earlier, Given& work) {
     row.lower_bound = bound;
     if (entry.hexahedra >= hexahedra) continue;
     row.mesh = earlier.mesh(*ordinal);
-    const auto source = found.find(row.code);
-    work.making.found[row.code] = source == found.end() ? Found{"table", today()} : source->second;
+    work.making.found[row.code] = sources.at(row.code);
   }
   if (taken != 0)
     say(fmt::format("goes on with {} of {}", counted(taken, "boundary", "boundaries"),

@@ -75,8 +75,8 @@ Quad off_quad(const Scanner& in, const Words& words, std::size_t points) {
 
 Surface parse_obj(const std::string& name, std::string_view bytes) {
   Scanner in(name, bytes, '#');
-  Surface surface{parse_obj_points(name, bytes), {}};
-  std::size_t points = 0;  // so far
+  Surface surface{parse_obj_points(name, bytes), {}};  // faces may come before their points
+  std::size_t points = 0;                              // so far
   for (Words words = in.line_of_words(); !words.empty(); words = in.line_of_words()) {
     if (words[0] == "v") {
       ++points;

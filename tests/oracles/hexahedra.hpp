@@ -59,15 +59,23 @@ inline std::set<Face> faces(const Cell& cell) {
   return result;
 }
 
-inline std::size_t corner_of(const Cell& cell, std::uint32_t v) {
+/// Of numbers of any type, as other tests' cells have them: corners as in Cell.
+template <class Index>
+std::size_t corner_of(const std::array<Index, 8>& cell, Index v) {
   return static_cast<std::size_t>(std::find(cell.begin(), cell.end(), v) - cell.begin());
 }
 
+template <class Index>
+bool is_edge(const std::array<Index, 8>& cell, Index u, Index v) {
+  return std::has_single_bit(corner_of(cell, u) ^ corner_of(cell, v));
+}
+
 /// Whether these vertices of the cell are as many as agree in the coordinates in which they agree.
-inline bool are_face_of(const Cell& cell, const std::vector<std::uint32_t>& vertices) {
+template <class Index>
+bool are_face_of(const std::array<Index, 8>& cell, const std::vector<Index>& vertices) {
   std::size_t in_all = 7;
   std::size_t in_some = 0;
-  for (const std::uint32_t v : vertices) {
+  for (const Index v : vertices) {
     in_all &= corner_of(cell, v);
     in_some |= corner_of(cell, v);
   }
@@ -76,17 +84,15 @@ inline bool are_face_of(const Cell& cell, const std::vector<std::uint32_t>& vert
 
 /// Whether there is a face of both with all common vertices, and the same edges in both. Requires
 /// that both have eight vertices.
-inline bool meet_strictly(const Cell& a, const Cell& b) {
-  std::vector<std::uint32_t> common;
-  for (const std::uint32_t v : b)
+template <class Index>
+bool meet_strictly(const std::array<Index, 8>& a, const std::array<Index, 8>& b) {
+  std::vector<Index> common;
+  for (const Index v : b)
     if (std::find(a.begin(), a.end(), v) != a.end()) common.push_back(v);
   if (common.empty()) return true;
   if (!are_face_of(a, common) || !are_face_of(b, common)) return false;
-  const auto is_edge = [](const Cell& cell, std::uint32_t u, std::uint32_t v) {
-    return std::has_single_bit(corner_of(cell, u) ^ corner_of(cell, v));
-  };
-  for (const std::uint32_t u : common)
-    for (const std::uint32_t v : common)
+  for (const Index u : common)
+    for (const Index v : common)
       if (is_edge(a, u, v) != is_edge(b, u, v)) return false;
   return common.size() < 8;
 }

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "tests/bytes_of.hpp"
+#include "tests/oracles/hexahedra.hpp"
 
 namespace hexatlas::sabotage {
 
@@ -109,29 +110,6 @@ inline bool has_slow_boundary(const SlowSector& sector) {
   std::set<SlowQuad> surface;
   for (const SlowQuad& quad : kSectorQuads) surface.insert(turned(quad));
   return boundary == surface;
-}
-
-inline bool is_edge(std::size_t i, std::size_t j) {
-  return (i ^ j) == 1 || (i ^ j) == 2 || (i ^ j) == 4;
-}
-
-/// Two hexahedra have in common nothing, or a face of both, with the same edges.
-inline bool meet_strictly(const SlowHex& a, const SlowHex& b) {
-  std::vector<std::array<std::size_t, 2>> common;
-  for (std::size_t i = 0; i < 8; ++i) {
-    for (std::size_t j = 0; j < 8; ++j) {
-      if (a[i] == b[j]) common.push_back({i, j});
-    }
-  }
-  std::size_t edges = 0;
-  for (const auto& s : common) {
-    for (const auto& t : common) {
-      if (is_edge(s[0], t[0]) != is_edge(s[1], t[1])) return false;
-      if (is_edge(s[0], t[0])) ++edges;  // twice
-    }
-  }
-  return common.size() < 2 || (common.size() == 2 && edges == 2) ||
-         (common.size() == 4 && edges == 8);
 }
 
 using Pairs = std::set<std::pair<int, int>>;
@@ -270,7 +248,7 @@ inline bool is_slow_sector(const SlowSector& sector) {
   if (!has_slow_boundary(sector)) return false;
   for (std::size_t a = 0; a < sector.cells.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
-      if (!meet_strictly(sector.cells[a], sector.cells[b])) return false;
+      if (!oracle::meet_strictly(sector.cells[a], sector.cells[b])) return false;
     }
   }
   for (int v = 0; v < sector.vertices; ++v) {

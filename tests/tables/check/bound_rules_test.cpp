@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <optional>
 #include <random>
@@ -19,6 +18,7 @@
 #include "tables/check/bound_sphere.hpp"
 #include "tables/check/quad_code.hpp"
 #include "tables/format/table.hpp"
+#include "tests/oracles/hexahedra.hpp"
 #include "tests/share.hpp"
 #include "tests/shipped.hpp"
 
@@ -39,31 +39,10 @@ bool contains(const Cell& cell, std::size_t v) {
   return std::find(cell.begin(), cell.end(), v) != cell.end();
 }
 
-/// Corner i of a cell by coordinates: two corners differ in one bit along an edge.
-unsigned bits_of(std::size_t corner) { return std::array{0U, 1U, 3U, 2U, 4U, 5U, 7U, 6U}[corner]; }
-
-bool have_edge(const Cell& cell, std::size_t u, std::size_t v) {
-  const auto at = [&](std::size_t w) {
-    return bits_of(static_cast<std::size_t>(std::find(cell.begin(), cell.end(), w) - cell.begin()));
-  };
-  return std::has_single_bit(at(u) ^ at(v));
-}
-
-/// Whether the common vertices are a face of both, with the same edges.
-bool meet_strictly(const Cell& a, const Cell& b) {
-  std::vector<std::size_t> common;
-  for (const std::size_t v : a) {
-    if (contains(b, v)) common.push_back(v);
-  }
-  std::size_t edges = 0;
-  for (const std::size_t u : common) {
-    for (const std::size_t v : common) {
-      if (have_edge(a, u, v) != have_edge(b, u, v)) return false;
-      if (u < v && have_edge(a, u, v)) ++edges;
-    }
-  }
-  return common.size() < 2 || (common.size() == 2 && edges == 1) ||
-         (common.size() == 4 && edges == 4);
+/// The corners by coordinates; from these back again, too.
+template <class Index>
+Cell exchanged(const std::array<Index, 8>& h) {
+  return {h[0], h[1], h[3], h[2], h[4], h[5], h[7], h[6]};
 }
 
 std::optional<KnownMesh> mesh_of(const format::Table& table, std::size_t ordinal) {
@@ -73,7 +52,7 @@ std::optional<KnownMesh> mesh_of(const format::Table& table, std::size_t ordinal
   KnownMesh known;
   known.vertices = mesh.vertices;
   for (const auto& h : mesh.hexahedra) {
-    known.cells.push_back({h[0], h[1], h[3], h[2], h[4], h[5], h[7], h[6]});
+    known.cells.push_back(exchanged(h));
   }
   for (const auto& quad : complex::boundary_of(mesh)) known.quads.push_back(quad);
   EXPECT_EQ(fault_of_boundary(known.quads, canon::to_text(entry.code)), "");
@@ -98,7 +77,7 @@ std::size_t pinch(KnownMesh& mesh, std::mt19937_64& random) {
     for (const Cell& a : cells) {
       for (const Cell& b : cells) {
         if (!holds || &a == &b || !contains(a, at)) continue;
-        holds = meet_strictly(a, b);
+        holds = oracle::meet_strictly(exchanged(a), exchanged(b));
       }
     }
     if (!holds) continue;
@@ -216,7 +195,7 @@ class Walk {
     for (unsigned i = 0; i < 4; ++i) {
       for (const std::size_t v : cell) {
         const bool is_corner = number_[v] < 64 && (facet.vertices >> number_[v] & 1U) != 0;
-        if (is_corner || !have_edge(cell, named_[facet.corners[i]], v)) continue;
+        if (is_corner || !oracle::is_edge(exchanged(cell), named_[facet.corners[i]], v)) continue;
         if (number_[v] == 255) {
           number_[v] = static_cast<std::uint8_t>(named_.size());
           named_.push_back(v);

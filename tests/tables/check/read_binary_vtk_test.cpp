@@ -13,27 +13,14 @@
 
 #include "tables/check/malformed.hpp"
 #include "tables/check/mesh.hpp"
+#include "tests/tables/check/big_endian.hpp"
 #include "tests/tables/check/replaced.hpp"
 
 namespace hexatlas::check {
 namespace {
 
+using examples::big_endian;
 using examples::replaced;
-
-/// Most significant byte first.
-template <class Number>
-std::string bytes_of(const std::vector<Number>& numbers) {
-  std::string bytes;
-  for (const Number number : numbers)
-    for (unsigned i = sizeof(Number); i-- > 0;)
-      bytes += static_cast<char>(number >> (8 * i) & 0xFFU);
-  return bytes;
-}
-
-std::string bytes_of(const std::vector<std::uint64_t>& numbers, bool is_wide) {
-  if (is_wide) return bytes_of(numbers);
-  return bytes_of(std::vector<std::uint32_t>(numbers.begin(), numbers.end()));
-}
 
 struct Style {
   std::string version = "5.1";
@@ -53,12 +40,12 @@ std::string file(const Content& content, const Style& style) {
   if (style.has_doubles) {
     std::vector<std::uint64_t> bits;
     for (const double x : content.coordinates) bits.push_back(std::bit_cast<std::uint64_t>(x));
-    text += " double\n" + bytes_of(bits);
+    text += " double\n" + big_endian(bits);
   } else {
     std::vector<std::uint32_t> bits;
     for (const double x : content.coordinates)
       bits.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(x)));
-    text += " float\n" + bytes_of(bits);
+    text += " float\n" + big_endian(bits);
   }
   const std::string offsets = std::to_string(content.offsets.size());
   const std::string size = std::to_string(content.connectivity.size());
@@ -66,8 +53,8 @@ std::string file(const Content& content, const Style& style) {
   if (style.version == "5.1") {
     const std::string type = style.has_wide_integers ? "vtktypeint64\n" : "vtktypeint32\n";
     text += "\nMETADATA\nINFORMATION 1\nNAME a\n\nCELLS " + offsets + " " + size + "\nOFFSETS " +
-            type + bytes_of(content.offsets, style.has_wide_integers) + "\nCONNECTIVITY " + type +
-            bytes_of(content.connectivity, style.has_wide_integers);
+            type + big_endian(content.offsets, style.has_wide_integers) + "\nCONNECTIVITY " + type +
+            big_endian(content.connectivity, style.has_wide_integers);
   } else {
     std::vector<std::uint64_t> rows;
     for (std::size_t i = 0; i + 1 < content.offsets.size(); ++i) {
@@ -75,9 +62,9 @@ std::string file(const Content& content, const Style& style) {
       for (std::uint64_t k = content.offsets[i]; k < content.offsets[i + 1]; ++k)
         rows.push_back(content.connectivity[k]);
     }
-    text += "\nCELLS " + cells + " " + std::to_string(rows.size()) + "\n" + bytes_of(rows, false);
+    text += "\nCELLS " + cells + " " + std::to_string(rows.size()) + "\n" + big_endian(rows, false);
   }
-  return text + "\nCELL_TYPES " + cells + "\n" + bytes_of(content.types, false) + "\n";
+  return text + "\nCELL_TYPES " + cells + "\n" + big_endian(content.types, false) + "\n";
 }
 
 std::vector<Style> styles() {
