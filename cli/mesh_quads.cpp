@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "cli/commands.hpp"
 #include "cli/mesh_output.hpp"
@@ -49,10 +51,15 @@ std::string summary(const Account& account, const std::string& output) {
 
 mesh::FacetMesh triangles_of(const std::string& input) {
   mesh::FacetMesh surface = io::read_facets(input);
-  for (const mesh::Facet& facet : surface.facets)
+  for (const mesh::Facet& facet : surface.facets) {
     if (facet.size != 3)
       throw core::InvalidInput(input_name(input), facet.line,
                                "a quad, where only triangles are expected");
+    if (!std::in_range<std::uint32_t>(facet.colour))
+      throw core::InvalidInput(
+          input_name(input), facet.line,
+          fmt::format("reference {} is not between 0 and 4294967295", facet.colour));
+  }
   return surface;
 }
 

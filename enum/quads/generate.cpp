@@ -1,6 +1,8 @@
 #include "enum/quads/generate.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "enum/core/checks.hpp"
@@ -12,16 +14,38 @@
 namespace hexatlas::quads {
 namespace {
 
-/// Nodes that first have this many quads are dealt out to the shards in turn: there are enough to
-/// share evenly, and all nodes above are few.
-constexpr int split_quads(Class which) noexcept { return which == Class::simple ? 10 : 16; }
+/// Nodes that first have this many quads are dealt out to the shards in turn. The least number for
+/// which there are several nodes for each shard, up to the last one where all above take no second.
+int split_quads(Class which, std::uint64_t parts) {
+  struct Level {
+    int quads;
+    std::uint64_t nodes;  ///< at least so many
+  };
+  // With the published numbers of classes: OEIS A113201; of minimum degree 3 there are more than
+  // 3-connected ones, A007022.
+  static constexpr std::array kSimple{Level{10, 800}, Level{11, 3'300}, Level{12, 15'800},
+                                      Level{13, 77'000}};
+  static constexpr std::array kOthers{Level{16, 450}, Level{17, 1'300}, Level{18, 4'400},
+                                      Level{19, 14'500}, Level{20, 49'000}};
+  constexpr std::uint64_t kNodesPerShard = 8;
+  const auto of = [&](const auto& levels) {
+    const auto enough = std::find_if(levels.begin(), levels.end() - 1, [&](const Level& level) {
+      return level.nodes / kNodesPerShard >= parts;
+    });
+    return enough->quads;
+  };
+  return which == Class::simple ? of(kSimple) : of(kOthers);
+}
 
 /// Depth-first walk of the trees of a class down to maps of one size.
 template <Class kClass>
 class Walk {
  public:
   Walk(int quads, const Visit& visit, const GenerateOptions& options)
-      : quads_(quads), visit_(visit), options_(options) {}
+      : quads_(quads),
+        split_(std::min(quads, split_quads(kClass, options.shard.parts))),
+        visit_(visit),
+        options_(options) {}
 
   Sums run() {
     if constexpr (kClass == Class::simple) {
@@ -48,8 +72,7 @@ class Walk {
 
   /// A node of the tree, whose parent had `parent_quads`.
   void visit_node(const Symmetry& symmetry, int parent_quads) {
-    const int split = std::min(quads_, split_quads(kClass));
-    const bool is_dealt = parent_quads < split && map_.quads() >= split;
+    const bool is_dealt = parent_quads < split_ && map_.quads() >= split_;
     if (is_dealt && next_part_++ % options_.shard.parts != options_.shard.part) return;
     if (map_.quads() == quads_)
       count(symmetry);
@@ -168,6 +191,7 @@ class Walk {
   }
 
   int quads_;
+  int split_;
   const Visit& visit_;
   const GenerateOptions& options_;
   PlanarMap map_{};

@@ -65,8 +65,8 @@ struct GenerateOptions {
 /// Requires kMinQuads <= quads <= kMaxQuads and shard.part < shard.parts. `visit` may be empty,
 /// which saves the making of quadrangulations. The order of visits is the same in every run.
 /// Memory: O(quads^2). Time: a few microseconds per class for a whole, see tests/bench; a part
-/// repeats the top of the tree, a few milliseconds. Not promised: which of the two mirror images is
-/// visited, or in which labels.
+/// repeats the top of the tree: some milliseconds, of a thousand or more parts up to a second. Not
+/// promised: which of the two mirror images is visited, or in which labels.
 Sums generate(Class which, int quads, const Visit& visit = {}, const GenerateOptions& options = {});
 
 }  // namespace hexatlas::quads

@@ -284,6 +284,7 @@ std::vector<QuadCandidate> quad_candidates(const mesh::FacetMesh& surface,
         const DirectedEdge& e = sides[i];
         const DirectedEdge& f = sides[j];
         if (e.v != f.w || e.apex == f.apex || e.triangle == f.triangle) continue;
+        if (surface.facets[e.triangle].colour != surface.facets[f.triangle].colour) continue;
         QuadCandidate quad{{e.v, f.apex, e.w, e.apex}, {e.v, e.w}, {e.triangle, f.triangle}, 0};
         quad.quality = quality_of(surface.points, quad.vertices);
         if (!(quad.quality > limits.quality) ||
@@ -326,7 +327,9 @@ mesh::FacetMesh with_quads(const mesh::FacetMesh& surface,
   mesh::FacetMesh result{surface.points, {}};
   for (std::size_t t = 0; t < surface.facets.size(); ++t)
     if (is_used[t] == 0) result.facets.push_back(surface.facets[t]);
-  for (const std::size_t i : chosen) result.facets.push_back({candidates[i].vertices, 4, 0});
+  for (const std::size_t i : chosen)
+    result.facets.push_back(
+        {candidates[i].vertices, 4, 0, surface.facets[candidates[i].triangles[0]].colour});
   return result;
 }
 

@@ -3,8 +3,9 @@
 /// Triangles of a surface combined into quads: the two-dimensional case of candidates.hpp.
 ///
 /// Definition. A *candidate* is a cycle a b c d of four vertices such that the mesh has the
-/// triangles a b c and a c d, coherently oriented, of quality above a threshold; its *fold*, the
-/// angle between the normals of the two, is limited, so that edges where the surface bends stay.
+/// triangles a b c and a c d, coherently oriented and of one colour, of quality above a threshold;
+/// its *fold*, the angle between the normals of the two, is limited. So edges where the surface
+/// bends stay, and those between its colours.
 /// Its quality is the least over its corners of the determinant of the two edges there and the
 /// normal, divided by the lengths of the edges: of a plane quad the least sine, negative where it
 /// is not convex. The normal is the unit vector along the product of the diagonals. A *doublet* is
@@ -55,7 +56,8 @@ struct QuadCandidate {
 [[nodiscard]] std::vector<std::size_t> quad_selection(const mesh::FacetMesh& surface,
                                                       std::span<const QuadCandidate> candidates);
 
-/// The triangles of no chosen quad, then the quads; the points stay.
+/// The triangles of no chosen quad, then the quads, with the colour of their triangles; the points
+/// stay.
 [[nodiscard]] mesh::FacetMesh with_quads(const mesh::FacetMesh& surface,
                                          std::span<const QuadCandidate> candidates,
                                          std::span<const std::size_t> chosen);

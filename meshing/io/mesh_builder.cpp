@@ -126,15 +126,16 @@ void MeshBuilder::keep_facet(const CellType& type, std::span<const Index> vertic
     return;
   }
   const auto line_number = static_cast<std::uint32_t>(line);
+  const std::int64_t colour = reference.value_or(0);
   if (is_a_triangle(type)) {
-    facets_.push_back({{vertices[0], vertices[1], vertices[2], 0}, 3, line_number});
+    facets_.push_back({{vertices[0], vertices[1], vertices[2], 0}, 3, line_number, colour});
     return;
   }
   const bool cyclic = type.shape == CellShape::quad;
   const std::array<Index, 4> quad{vertices[0], vertices[1], vertices[cyclic ? 2 : 3],
                                   vertices[cyclic ? 3 : 2]};
   if (wanted_ == Wanted::facets) {
-    facets_.push_back({quad, 4, line_number});
+    facets_.push_back({quad, 4, line_number, colour});
     return;
   }
   quads_.push_back(quad);

@@ -63,7 +63,7 @@ namespace hexatlas::io {
 [[nodiscard]] mesh::SurfaceMesh parse_surface(std::string_view bytes, FileFormat format,
                                               const std::string& file);
 
-/// The triangles and quads in these bytes, in their order.
+/// The triangles and quads in these bytes, in their order, each with its colour (.mesh .msh).
 [[nodiscard]] mesh::FacetMesh parse_facets(std::string_view bytes, FileFormat format,
                                            const std::string& file);
 
@@ -123,7 +123,8 @@ struct WriteOptions {
 [[nodiscard]] std::string to_text(const mesh::SurfaceMesh& mesh, FileFormat format,
                                   GmshVersion gmsh = GmshVersion::v4_1);
 
-/// Triangles first, then quads. Requires as above; line is not read.
+/// Triangles first, then quads; colours as the regions of hybrid meshes are written unless all are
+/// 0, but not in .obj and .off. Requires as above, and colours from 0 to 2^32 - 1; line is not read.
 [[nodiscard]] std::string to_text(const mesh::FacetMesh& mesh, FileFormat format);
 
 /// The file as bytes: in .vtu, raw and uncompressed; in .msh, version 4.1; in .hxtet, as

@@ -1,5 +1,6 @@
 // The half of mesh_files.hpp that writes.
 #include <algorithm>
+#include <utility>
 
 #include "enum/core/checks.hpp"
 #include "enum/core/errors.hpp"
@@ -116,23 +117,41 @@ CellsToWrite cells_of(const mesh::HexMesh& mesh, const std::vector<Hexahedron>& 
 struct Facets {
   std::vector<std::array<Index, 3>> triangles;
   std::vector<std::array<Index, 4>> quads;
+  std::vector<std::uint32_t> colours;  ///< of the triangles, then of the quads; none if all are 0
 
   explicit Facets(const mesh::FacetMesh& mesh) {
+    std::vector<std::uint32_t> of_quads;
     for (const mesh::Facet& facet : mesh.facets) {
       const auto& v = facet.vertices;
       if (facet.size == 3)
         triangles.push_back({v[0], v[1], v[2]});
       else
         quads.push_back(v);
+      (facet.size == 3 ? colours : of_quads).push_back(static_cast<std::uint32_t>(facet.colour));
+      core::expects(std::cmp_equal(facet.colour, static_cast<std::uint32_t>(facet.colour)),
+                    "writing a mesh: colours are from 0 to 2^32 - 1");
     }
+    colours.insert(colours.end(), of_quads.begin(), of_quads.end());
+    if (std::all_of(colours.begin(), colours.end(), [](std::uint32_t c) { return c == 0; }))
+      colours.clear();
   }
 };
+
+/// Adds cells with the first of the regions, if there are some, and leaves the others.
+template <std::size_t N>
+void add(CellsToWrite& cells, const FileCell& type, const std::vector<std::array<Index, N>>& some,
+         std::span<const std::uint32_t>& regions) {
+  const auto first = regions.first(regions.empty() ? 0 : some.size());
+  cells.add(type, std::span(some), first);
+  regions = regions.subspan(first.size());
+}
 
 /// Both arguments outlive the result.
 CellsToWrite cells_of(const mesh::FacetMesh& mesh, const Facets& facets) {
   CellsToWrite cells{mesh.points, {}};
-  cells.add(kFileTriangle, std::span(facets.triangles));
-  cells.add(kFileQuad, std::span(facets.quads));
+  std::span<const std::uint32_t> colours(facets.colours);
+  add(cells, kFileTriangle, facets.triangles, colours);
+  add(cells, kFileQuad, facets.quads, colours);
   return cells;
 }
 
@@ -150,15 +169,10 @@ CellsToWrite cells_of(const mesh::HybridMesh& mesh, const Ordered& in_order) {
                                                mesh.prisms.size() + mesh.pyramids.size(),
                 "writing a mesh: a region for each cell");
   std::span<const std::uint32_t> regions(mesh.regions);
-  const auto add = [&](const FileCell& type, const auto& of_type) {
-    const auto first = regions.first(regions.empty() ? 0 : of_type.size());
-    cells.add(type, std::span(of_type), first);
-    regions = regions.subspan(first.size());
-  };
-  add(kFileTetrahedron, mesh.tetrahedra);
-  add(kFileHexahedron, in_order.hexahedra);
-  add(kFilePrism, in_order.prisms.empty() ? mesh.prisms : in_order.prisms);
-  add(kFilePyramid, mesh.pyramids);
+  add(cells, kFileTetrahedron, mesh.tetrahedra, regions);
+  add(cells, kFileHexahedron, in_order.hexahedra, regions);
+  add(cells, kFilePrism, in_order.prisms.empty() ? mesh.prisms : in_order.prisms, regions);
+  add(cells, kFilePyramid, mesh.pyramids, regions);
   return cells;
 }
 

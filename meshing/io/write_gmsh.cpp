@@ -1,6 +1,6 @@
-// Gmsh 2.2 and 4.1, ASCII. All cells of dimension 3 belong to volume 1, with version 4.1 those of
-// each region to one of its own; all nodes to the first, all quads to surface 1. Tags are positions
-// plus 1.
+// Gmsh 2.2 and 4.1, ASCII. All cells of dimension 3 belong to volume 1, those of dimension 2 to
+// surface 1; with version 4.1 those of each region to one of its own. All nodes belong to the first
+// of the highest dimension. Tags are positions plus 1.
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -32,19 +32,16 @@ void write_version_2(const CellsToWrite& cells, Output& out) {
   out.put("$EndElements\n");
 }
 
-bool has_dimension(const CellsToWrite& cells, int dimension) {
-  return std::any_of(cells.lists.begin(), cells.lists.end(),
-                     [&](const CellList& list) { return list.type.dimension == dimension; });
-}
-
-/// The regions as tags of volumes: themselves, but what Gmsh takes for no tag is the least number
-/// left.
-class Volumes {
+/// The regions of the cells of one dimension as tags of entities: themselves, but what Gmsh takes
+/// for no tag is the least number left. None if there are no such cells.
+class Entities {
  public:
-  explicit Volumes(const CellsToWrite& cells) {
-    for (const CellList& list : cells.lists)
+  Entities(const CellsToWrite& cells, int dimension) {
+    for (const CellList& list : cells.lists) {
+      if (list.type.dimension != dimension) continue;
+      if (list.regions.empty()) tags_[kOnly] = kOnly;
       for (const std::uint32_t region : list.regions) tags_[region] = region;
-    if (tags_.empty()) tags_[1] = 1;
+    }
     std::uint32_t next = 1;
     for (auto& [region, tag] : tags_) {
       if (region != 0 && region <= kMostTag) continue;
@@ -52,41 +49,53 @@ class Volumes {
       tag = next++;
     }
   }
+  static constexpr std::uint32_t kOnly = 1;  ///< of cells without regions
+  /// By region.
   [[nodiscard]] const std::map<std::uint32_t, std::uint32_t>& tags() const { return tags_; }
-  [[nodiscard]] std::uint32_t tag(std::uint32_t region) const { return tags_.at(region); }
-  [[nodiscard]] std::uint32_t first_tag() const { return tags_.begin()->second; }
+  [[nodiscard]] std::uint32_t first_tag() const {
+    return tags_.empty() ? kOnly : tags_.begin()->second;
+  }
 
  private:
   static constexpr std::uint32_t kMostTag = std::numeric_limits<std::int32_t>::max();
-  std::map<std::uint32_t, std::uint32_t> tags_;  ///< by region
+  std::map<std::uint32_t, std::uint32_t> tags_;
 };
 
-void put_entities(const CellsToWrite& cells, const Volumes& volumes, Output& out) {
+/// Those of each dimension that cells have.
+class AllEntities {
+ public:
+  explicit AllEntities(const CellsToWrite& cells) : surfaces(cells, 2), volumes(cells, 3) {}
+  Entities surfaces, volumes;
+
+  [[nodiscard]] const Entities& of(int dimension) const {
+    return dimension == 3 ? volumes : surfaces;
+  }
+};
+
+void put_entities(const CellsToWrite& cells, const AllEntities& entities, Output& out) {
   mesh::Point least, most;
   if (!cells.points.empty()) least = most = cells.points[0];
   for (const mesh::Point& point : cells.points) {
     least = {std::min(least.x, point.x), std::min(least.y, point.y), std::min(least.z, point.z)};
     most = {std::max(most.x, point.x), std::max(most.y, point.y), std::max(most.z, point.z)};
   }
-  const bool has_surface = has_dimension(cells, 2), has_volume = has_dimension(cells, 3);
-  out.put("$Entities\n0 0 ", has_surface ? "1 " : "0 ", has_volume ? volumes.tags().size() : 0,
-          "\n");
+  const auto& surfaces = entities.surfaces.tags();
+  out.put("$Entities\n0 0 ", surfaces.size(), " ", entities.volumes.tags().size(), "\n");
   // tag, box, number of physical groups, number of bounding entities and these.
-  if (has_surface) out.put("1 ", least, " ", most, " 0 0\n");
-  if (has_volume)
-    for (const auto& [region, tag] : volumes.tags())
-      out.put(tag, " ", least, " ", most, has_surface ? " 0 1 1\n" : " 0 0\n");
+  for (const auto& [region, tag] : surfaces) out.put(tag, " ", least, " ", most, " 0 0\n");
+  for (const auto& [region, tag] : entities.volumes.tags()) {
+    out.put(tag, " ", least, " ", most, " 0 ", surfaces.size());
+    for (const auto& [colour, surface] : surfaces) out.put(" ", surface);
+    out.put("\n");
+  }
   out.put("$EndEntities\n");
 }
 
-void put_nodes(const CellsToWrite& cells, const Volumes& volumes, Output& out) {
+void put_nodes(const CellsToWrite& cells, const AllEntities& entities, Output& out) {
   const std::size_t count = cells.points.size();
+  const int dimension = entities.volumes.tags().empty() ? 2 : 3;
   out.put("$Nodes\n1 ", count, " 1 ", count, "\n");
-  if (has_dimension(cells, 3))
-    out.put("3 ", volumes.first_tag());
-  else
-    out.put("2 1");
-  out.put(" 0 ", count, "\n");
+  out.put(dimension, " ", entities.of(dimension).first_tag(), " 0 ", count, "\n");
   for (std::uint64_t tag = 1; tag <= count; ++tag) out.put(tag, "\n");
   for (const mesh::Point& point : cells.points) out.put(point, "\n");
   out.put("$EndNodes\n");
@@ -99,20 +108,21 @@ struct Block {
   std::vector<std::size_t> cells;
 };
 
-std::vector<Block> blocks_of(const CellsToWrite& cells, const Volumes& volumes) {
+std::vector<Block> blocks_of(const CellsToWrite& cells, const AllEntities& entities) {
   std::vector<Block> blocks;
   for (const CellList& list : cells.lists) {
     std::map<std::uint32_t, std::vector<std::size_t>> by_region;
     for (std::size_t i = 0; i < list.size(); ++i)
-      by_region[list.regions.empty() ? 1 : list.regions[i]].push_back(i);
+      by_region[list.regions.empty() ? Entities::kOnly : list.regions[i]].push_back(i);
     for (auto& [region, some] : by_region)
-      blocks.push_back({&list, volumes.tag(region), std::move(some)});
+      blocks.push_back(
+          {&list, entities.of(list.type.dimension).tags().at(region), std::move(some)});
   }
   return blocks;
 }
 
-void put_elements(const CellsToWrite& cells, const Volumes& volumes, Output& out) {
-  const std::vector<Block> blocks = blocks_of(cells, volumes);
+void put_elements(const CellsToWrite& cells, const AllEntities& entities, Output& out) {
+  const std::vector<Block> blocks = blocks_of(cells, entities);
   const std::size_t count = cells.cell_count();
   out.put("$Elements\n", blocks.size(), " ", count, " 1 ", count, "\n");
   std::uint64_t tag = 0;
@@ -134,10 +144,10 @@ void put_elements(const CellsToWrite& cells, const Volumes& volumes, Output& out
 void write_gmsh(const CellsToWrite& cells, GmshVersion version, Output& out) {
   if (version == GmshVersion::v2_2) return write_version_2(cells, out);
   put_format(out, "4.1");
-  const Volumes volumes(cells);
-  put_entities(cells, volumes, out);
-  put_nodes(cells, volumes, out);
-  put_elements(cells, volumes, out);
+  const AllEntities entities(cells);
+  put_entities(cells, entities, out);
+  put_nodes(cells, entities, out);
+  put_elements(cells, entities, out);
 }
 
 }  // namespace hexatlas::io

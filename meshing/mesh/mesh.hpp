@@ -43,6 +43,8 @@ struct Facet {
   std::array<Index, 4> vertices{};
   std::uint8_t size = 3;   ///< 3 or 4
   std::uint32_t line = 0;  ///< of the file, 0: unknown
+  /// Of which part of the surface it is: the reference in .mesh, the entity in .msh, else 0.
+  std::int64_t colour = 0;
 };
 
 /// Triangles and quads as read from a file: as SurfaceMesh otherwise.

@@ -216,6 +216,18 @@ class MeshHybridTest(program.ProgramTest):
         self.assertEqual(self.read("mixed.off").decode().splitlines()[-2:], ["3 1 4 2", "4 0 1 2 3"])
         self.expect_fault(self.hexatlas("mesh", "quads", "mixed.off", "-o", "x.obj"), "mixed.off")
 
+    def test_quads_have_the_reference_of_their_triangles(self):
+        head = ("MeshVersionFormatted 2\nDimension 3\nVertices 6\n0 0 0 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n"
+                "2 0 0 0\n2 1 0 0\nTriangles 4\n")
+        self.write("parts.mesh", head + "1 2 3 7\n1 3 4 7\n2 5 6 7\n2 6 3 8\nEnd\n")
+        self.succeeds("mesh", "quads", "parts.mesh", "-o", "made.mesh")
+        self.assertTrue(self.read("made.mesh").decode().endswith(
+            "Triangles\n2\n2 5 6 7\n2 6 3 8\nQuadrilaterals\n1\n1 2 3 4 7\nEnd\n"))
+        self.write("parts.mesh", head + "1 2 3 7\n1 3 4 -7\n2 5 6 7\n2 6 3 8\nEnd\n")
+        ran = self.hexatlas("mesh", "quads", "parts.mesh", "-o", "made.mesh")
+        self.expect_fault(ran, "parts.mesh")
+        self.assertIn("parts.mesh:12: reference -7", ran.err)
+
     def test_triangles_of_opposite_orientation_make_no_quad(self):
         self.write("two.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n")
         ran = self.succeeds("mesh", "quads", "two.obj", "-o", "none.off")

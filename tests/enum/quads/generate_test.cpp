@@ -207,6 +207,18 @@ TEST(Generate, ShardsAreOfLikeSize) {
   }
 }
 
+TEST(Generate, ManyShardsAreOfLikeSize) {
+  // Every quadrangulation of 18 quads is dealt out: 4,461 to 512 parts, nearly 9 to each.
+  std::uint64_t least = 100, most = 0;
+  for (std::uint64_t part = 0; part < 512; part += 7) {
+    const Sums sums = quads::generate(Class::three_connected, 18, {}, {.shard = {part, 512}});
+    least = std::min(least, sums.classes);
+    most = std::max(most, sums.classes);
+  }
+  EXPECT_EQ(least, 8U);
+  EXPECT_EQ(most, 9U);
+}
+
 TEST(Generate, StopsWhenTold) {
   std::atomic<bool> stop{false};
   std::uint64_t met = 0;

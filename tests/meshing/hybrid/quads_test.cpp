@@ -253,6 +253,32 @@ TEST(Quads, PinchedVerticesGetNoDoublets) {
     }
 }
 
+TEST(Quads, NoneCrossesFromOneColourToAnother) {
+  Random random(77);
+  mesh::FacetMesh mesh = cut_lattice(6, 0, random);
+  for (mesh::Facet& facet : mesh.facets) facet.colour = static_cast<std::int64_t>(random() % 2) * 9;
+  const auto candidates = hybrid::quad_candidates(mesh, {0.1, 45});
+  std::size_t both = 0;
+  for (const QuadCandidate& c : candidates) {
+    EXPECT_EQ(mesh.facets[c.triangles[0]].colour, mesh.facets[c.triangles[1]].colour);
+    both += mesh.facets[c.triangles[0]].colour == 9 ? 1U : 0U;
+  }
+  EXPECT_GT(both, 0U);
+  EXPECT_GT(candidates.size(), both);
+  const auto triangles_of_nine = [](const mesh::FacetMesh& some) {
+    std::size_t triangles = 0;
+    for (const mesh::Facet& facet : some.facets)
+      if (facet.colour == 9) triangles += facet.size - 2U;
+    return triangles;
+  };
+  const auto chosen = hybrid::quad_selection(mesh, candidates);
+  EXPECT_EQ(triangles_of_nine(hybrid::with_quads(mesh, candidates, chosen)),
+            triangles_of_nine(mesh));
+  // Without colours there are more.
+  for (mesh::Facet& facet : mesh.facets) facet.colour = 0;
+  EXPECT_GT(hybrid::quad_candidates(mesh, {0.1, 45}).size(), candidates.size());
+}
+
 TEST(Quads, TrianglesInOnePlaneFoldNowhere) {
   Random random(4);
   mesh::FacetMesh mesh = cut_lattice(8, 0, random);

@@ -272,6 +272,30 @@ TEST(Hybrid, RegionsAreWritten) {
   EXPECT_THROW((void)io::to_text(mesh, medit), core::PreconditionViolated);
 }
 
+TEST(Hybrid, ColoursOfFacetsAreReadBack) {
+  mesh::FacetMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.facets = {{{0, 1, 2, 3}, 4, 0, 5}, {{0, 1, 4, 0}, 3, 0, 9}, {{1, 2, 4, 0}, 3, 0, 5}};
+  const auto colours = [](const mesh::FacetMesh& some) {
+    std::vector<std::int64_t> all;
+    for (const mesh::Facet& facet : some.facets) all.push_back(facet.colour);
+    return all;
+  };
+  const auto read_back = [&](FileFormat format) {
+    return colours(io::parse_facets(io::to_text(mesh, format), format, "f"));
+  };
+  EXPECT_EQ(read_back(medit), (std::vector<std::int64_t>{9, 5, 5}));
+  EXPECT_EQ(read_back(gmsh), (std::vector<std::int64_t>{5, 9, 5}));
+  EXPECT_EQ(read_back(FileFormat::off), (std::vector<std::int64_t>{0, 0, 0}));
+  EXPECT_NE(io::to_text(mesh, gmsh).find("$Entities\n0 0 2 0\n5 "), std::string::npos);
+  EXPECT_NE(io::to_text(mesh, vtk).find("LOOKUP_TABLE default\n9\n5\n5\n"), std::string::npos);
+  mesh.facets[0].colour = -1;
+  EXPECT_THROW((void)io::to_text(mesh, medit), core::PreconditionViolated);
+  for (mesh::Facet& facet : mesh.facets) facet.colour = 0;
+  EXPECT_EQ(read_back(gmsh), (std::vector<std::int64_t>{1, 1, 1}));
+  EXPECT_EQ(io::to_text(mesh, vtk).find("region"), std::string::npos);
+}
+
 TEST(Hybrid, RegionsOfTetrahedraAreReadBack) {
   mesh::HybridMesh mesh;
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {2, 2, 2}};
