@@ -47,15 +47,14 @@ std::optional<std::string> reason_against_filling(const complex::Quadrangulation
 }
 
 /// The boundary of a code, called `shown` in what is said of it.
-std::optional<NamedBoundary> fillable(const std::string& shown, const canon::Code& code) {
+std::variant<NamedBoundary, Unfillable> boundary_of(const std::string& shown,
+                                                    const canon::Code& code) {
   const auto boundary = canon::decode(code);
   if (!boundary)
     throw core::InvalidInput(shown,
                              "is no code of a quadrangulation; `hexatlas code SURFACE` gives one");
-  if (const auto reason = reason_against_filling(*boundary)) {
-    say(fmt::format("{}: no hexahedral mesh exists: {}", shown, *reason));
-    return std::nullopt;
-  }
+  if (const auto reason = reason_against_filling(*boundary))
+    return Unfillable{code.quads, "no hexahedral mesh exists: " + *reason};
   const canon::Code canonical = canon::canonical_form(*boundary).code;
   if (canonical != code)
     throw core::InvalidInput(
@@ -63,13 +62,26 @@ std::optional<NamedBoundary> fillable(const std::string& shown, const canon::Cod
   return NamedBoundary{canon::to_text(code), *boundary};
 }
 
+std::optional<NamedBoundary> fillable(const std::string& shown, const canon::Code& code) {
+  const auto boundary = boundary_of(shown, code);
+  if (const auto* unfillable = std::get_if<Unfillable>(&boundary)) {
+    say(fmt::format("{}: {}", shown, unfillable->reason));
+    return std::nullopt;
+  }
+  return std::get<NamedBoundary>(boundary);
+}
+
 }  // namespace
 
-std::optional<NamedBoundary> boundary_from(const std::string& name_code_or_file) {
+std::variant<NamedBoundary, Unfillable> boundary_from(const std::string& name_code_or_file) {
+  return boundary_of(name_code_or_file, code_from(name_code_or_file));
+}
+
+std::optional<NamedBoundary> fillable_boundary_from(const std::string& name_code_or_file) {
   return fillable(name_code_or_file, code_from(name_code_or_file));
 }
 
-std::optional<NamedBoundary> boundary_of_code(const std::string& word) {
+std::optional<NamedBoundary> fillable_boundary_of_code(const std::string& word) {
   const auto code = canon::from_text(word);
   return fillable(word, code ? *code : canon::Code{});
 }

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "enum/complex/quadrangulation.hpp"
 
@@ -14,12 +15,22 @@ struct NamedBoundary {
   complex::Quadrangulation boundary{};  ///< in canonical labels
 };
 
-/// A name of build::kNamedBoundaries, a canonical code, or a surface file of quads; nullopt, and
-/// said why, if it is proven to have no mesh: not 3-connected, or an odd number of quads.
+/// A boundary that is proven to have no mesh: not 3-connected, or an odd number of quads.
+struct Unfillable {
+  std::size_t quads = 0;
+  std::string reason;
+};
+
+/// A name of build::kNamedBoundaries, a canonical code, or a surface file of quads.
 /// Throws InvalidInput: none of these, not canonical, more than 64 quads.
-[[nodiscard]] std::optional<NamedBoundary> boundary_from(const std::string& name_code_or_file);
+[[nodiscard]] std::variant<NamedBoundary, Unfillable> boundary_from(
+    const std::string& name_code_or_file);
+
+/// The same; of one without a mesh it is said why, and there is none.
+[[nodiscard]] std::optional<NamedBoundary> fillable_boundary_from(
+    const std::string& name_code_or_file);
 
 /// The same for codes only.
-[[nodiscard]] std::optional<NamedBoundary> boundary_of_code(const std::string& word);
+[[nodiscard]] std::optional<NamedBoundary> fillable_boundary_of_code(const std::string& word);
 
 }  // namespace hexatlas::cli

@@ -271,7 +271,7 @@ build::HexmeshTask task_of(const EnumHexmeshesOptions& options, const NamedBound
 }  // namespace
 
 ExitCode enum_hexmeshes(const EnumHexmeshesOptions& options) {
-  const auto known = boundary_from(options.boundary);
+  const auto known = fillable_boundary_from(options.boundary);
   if (!known) return ExitCode::no;
   const NamedBoundary& input = *known;
   for (const std::string& file : {options.output, options.certificate, options.state})

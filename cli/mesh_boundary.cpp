@@ -24,6 +24,7 @@ namespace {
 std::string json_line(const NamedBoundary& boundary, const mesh::HexMesh& mesh, bool free_boundary,
                       const quality::Report& report, double elapsed) {
   nlohmann::ordered_json json;
+  json["outcome"] = "meshed";
   json["code"] = boundary.code;
   json["quads"] = boundary.boundary.quads();
   json["hexahedra"] = report.cells;
@@ -73,14 +74,19 @@ ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
   if (!are_distinct(files, "BOUNDARY", "mesh boundary")) return ExitCode::usage;
   expect_outputs_writable(files);
   const auto known = boundary_from(options.boundary);
-  if (!known) return ExitCode::no;
-  const NamedBoundary& boundary = *known;
+  if (const auto* none = std::get_if<Unfillable>(&known)) {
+    tell(files, options.boundary, {"impossible", none->quads, none->reason, ""}, options.json);
+    return ExitCode::no;
+  }
+  const auto& boundary = std::get<NamedBoundary>(known);
   const format::Table table =
       table_for(options.table, static_cast<std::size_t>(boundary.boundary.quads()));
   const auto ordinal = table.find(canon::from_text(boundary.code).value());
   if (!ordinal) {
-    say(fmt::format("{} ({} quads) is not in {}", boundary.code, boundary.boundary.quads(),
-                    table.path()));
+    const auto quads = static_cast<std::size_t>(boundary.boundary.quads());
+    const std::string reason =
+        fmt::format("the boundary of {} quads is not in {}", quads, table.path());
+    tell(files, boundary.code, {"not_in_table", quads, reason, boundary.code}, options.json);
     return ExitCode::undecided;
   }
   using hexahedrize::Boundary;

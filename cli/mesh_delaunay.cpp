@@ -22,6 +22,7 @@ struct Account {
 
 std::string json_line(const Account& account) {
   nlohmann::ordered_json json;
+  json["outcome"] = "meshed";
   json["points"] = account.points;
   json["duplicates"] = account.duplicates;
   json["hidden"] = account.hidden;
@@ -66,9 +67,13 @@ ExitCode mesh_delaunay(const MeshDelaunayOptions& options) {
                       : delaunay::Triangulation(points, {.threads = threads});
   const double elapsed = seconds() - start;
   if (triangulation.dimension() < 3) {
-    say(fmt::format("{}: degenerate, {}: no tetrahedron has them for vertices",
-                    input_name(options.input),
-                    why_degenerate(triangulation.dimension(), points.size())));
+    const std::string reason =
+        fmt::format("degenerate, {}: no tetrahedron has them for vertices",
+                    why_degenerate(triangulation.dimension(), points.size()));
+    say(fmt::format("{}: {}", input_name(options.input), reason));
+    const nlohmann::ordered_json json{
+        {"outcome", "degenerate"}, {"points", points.size()}, {"reason", reason}};
+    if (options.json) tell(options.output, to_line(json));
     return ExitCode::no;
   }
   Account account;

@@ -128,22 +128,6 @@ check::Verdict expect_accepted(const hexahedrize::Hexahedrized& made,
   return verdict;
 }
 
-/// Why there is no mesh: a sentence, and with --json an object that holds it. An empty code is one
-/// that was not computed.
-void tell_without_mesh(const MeshHexOptions& options, const std::string& name,
-                       const std::string& outcome, std::size_t quads, const std::string& reason,
-                       const std::string& code) {
-  say(fmt::format("{}: {}", name, reason));
-  if (!options.json) return;
-  nlohmann::ordered_json json;
-  json["outcome"] = outcome;
-  json["quads"] = quads;
-  json["reason"] = reason;
-  json["code"] = nullptr;
-  if (!code.empty()) json["code"] = code;
-  tell(files_of(options), to_line(json));
-}
-
 ExitCode deliver(const MeshHexOptions& options, const MeshHexAccount& account, double start) {
   const quality::Report report = quality::report(account.made.mesh);
   const double elapsed = seconds() - start;
@@ -203,8 +187,10 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
   std::vector<std::string> notes = in_words(answer.notes);
   for (const std::string& note : notes) say("note: " + note);
   if (const auto* impossible = std::get_if<hexahedrize::Impossible>(&answer.outcome)) {
-    tell_without_mesh(options, name, "impossible", surface.quads.size(),
-                      "no hexahedral mesh exists: " + impossible->reason, "");
+    tell(files_of(options), name,
+         {"impossible", surface.quads.size(), "no hexahedral mesh exists: " + impossible->reason,
+          ""},
+         options.json);
     return ExitCode::no;
   }
   if (const auto* missing = std::get_if<hexahedrize::NotInTable>(&answer.outcome)) {
@@ -214,7 +200,8 @@ ExitCode mesh_hex(const MeshHexOptions& options) {
                                                    : "the boundary of",
         missing->quads, missing->code.empty() ? "" : ", canonical code " + missing->code + ",",
         sources.table.value().path());
-    tell_without_mesh(options, name, "not_in_table", missing->quads, reason, missing->code);
+    tell(files_of(options), name, {"not_in_table", missing->quads, reason, missing->code},
+         options.json);
     return ExitCode::undecided;
   }
   const auto& made = std::get<hexahedrize::Hexahedrized>(answer.outcome);

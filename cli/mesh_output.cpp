@@ -123,6 +123,18 @@ void write_hybrid(const std::string& output, const mesh::HybridMesh& mesh) {
   io::write_hybrid(output, mesh, format_on(output));
 }
 
+void tell(const MeshFiles& files, const std::string& name, const WithoutMesh& why, bool json) {
+  say(fmt::format("{}: {}", name, why.reason));
+  if (!json) return;
+  nlohmann::ordered_json object;
+  object["outcome"] = why.outcome;
+  object["quads"] = why.quads;
+  object["reason"] = why.reason;
+  object["code"] = nullptr;
+  if (!why.code.empty()) object["code"] = why.code;
+  tell(files, to_line(object));
+}
+
 void turn_over_what_is_inside_out(mesh::HexMesh& mesh, const std::string& file) {
   constexpr double kRounding = 1e-12;
   std::size_t turned = 0;

@@ -59,6 +59,16 @@ void tell(const std::string& output, const std::string& text);
 /// Likewise with the mesh or the report there.
 void tell(const MeshFiles& files, const std::string& text);
 
+/// Why there is no mesh: a sentence on `name`, and with `json` an object that holds it. An empty
+/// code is one that was not computed.
+struct WithoutMesh {
+  std::string outcome;
+  std::size_t quads = 0;
+  std::string reason;
+  std::string code;
+};
+void tell(const MeshFiles& files, const std::string& name, const WithoutMesh& why, bool json);
+
 /// Turns over each part of the mesh that is inside out, which has a negative volume; says so.
 /// Requires a mesh without hexahedrize::fault_of_sides().
 void turn_over_what_is_inside_out(mesh::HexMesh& mesh, const std::string& file);

@@ -6,6 +6,7 @@
 #include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
+#include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "tables/build/census.hpp"
 #include "tables/build/named.hpp"
@@ -78,8 +79,13 @@ Findings findings_of(const std::string& path, const TableCheckOptions& options) 
   found.has_manifest = is_there(manifest);
   found.has_census = is_there(census);
   found.reason = fault_of_names(table);
-  if (found.has_manifest && found.reason.empty()) found.reason = fault_of_manifest(table, manifest);
-  if (found.has_census && found.reason.empty()) found.reason = fault_of_census(table, census);
+  try {
+    if (found.has_manifest && found.reason.empty())
+      found.reason = fault_of_manifest(table, manifest);
+    if (found.has_census && found.reason.empty()) found.reason = fault_of_census(table, census);
+  } catch (const core::InvalidInput& damaged) {
+    found.reason = std::string("beside it, ") + damaged.what();
+  }
   if (found.reason.empty())
     found.reason = fault_of_completeness(found.verdict, options.complete_through);
   return found;

@@ -23,9 +23,9 @@ namespace hexatlas::cli {
 
 namespace {
 
-/// What is published about a boundary of this name; null if nothing is known of it.
-nlohmann::ordered_json literature(std::string_view name) {
-  const build::NamedBoundary* const named = build::named_boundary(name);
+/// What is published about a boundary, whatever the table calls it; null if nothing is known of it.
+nlohmann::ordered_json literature(const canon::Code& code) {
+  const build::NamedBoundary* const named = build::boundary_with_code(canon::to_text(code));
   if (named == nullptr) return nullptr;
   return {{"hexahedra", named->literature}, {"source", named->source}};
 }
@@ -36,10 +36,11 @@ std::string names_text(const format::Table& table) {
     text = fmt::format("\n{:<22} {:>5} {:>9} {:>10}\n", "name", "quads", "hexahedra", "literature");
   for (const format::TableName& name : table.names()) {
     const format::TableEntry entry = table.entry(name.ordinal);
-    const build::NamedBoundary* const named = build::named_boundary(name.name);
+    const std::string code = canon::to_text(entry.code);
+    const build::NamedBoundary* const named = build::boundary_with_code(code);
     text += fmt::format("{:<22} {:>5} {:>9} {:>10}  {}  {}\n", name.name, entry.code.quads,
                         entry.hexahedra, named == nullptr ? "?" : std::to_string(named->literature),
-                        canon::to_text(entry.code), named == nullptr ? "" : named->source);
+                        code, named == nullptr ? "" : named->source);
   }
   return text;
 }
@@ -67,7 +68,7 @@ ExitCode table_info(const TableInfoOptions& options) {
     for (const format::TableName& name : table.names())
       json["names"][name.name] = {{"code", canon::to_text(table.entry(name.ordinal).code)},
                                   {"hexahedra", table.entry(name.ordinal).hexahedra},
-                                  {"literature", literature(name.name)}};
+                                  {"literature", literature(table.entry(name.ordinal).code)}};
     print(to_line(json));
     return ExitCode::yes;
   }
@@ -118,7 +119,7 @@ ExitCode table_list(const TableListOptions& options) {
 ExitCode table_get(const TableGetOptions& options) {
   std::optional<canon::Code> wanted;
   if (options.name.empty()) {
-    const auto boundary = boundary_of_code(options.code);
+    const auto boundary = fillable_boundary_of_code(options.code);
     if (!boundary) return ExitCode::no;
     wanted = canon::from_text(boundary->code);
   } else if (const auto* named = build::named_boundary(options.name)) {
@@ -142,7 +143,7 @@ ExitCode table_get(const TableGetOptions& options) {
   json["hexahedra"] = mesh->hexahedra.size();
   json["interior_vertices"] = mesh->vertices - code.quads - 2U;
   json["lower_bound"] = ordinal ? table.entry(*ordinal).lower_bound : 1;
-  if (!options.name.empty()) json["literature"] = literature(options.name);
+  json["literature"] = literature(code);
   json["boundary"] = canon::decode(code).value().list_of_quads();
   json["cells"] = mesh->hexahedra;
   core::write_file(options.output.empty() ? "-" : options.output, to_line(json));

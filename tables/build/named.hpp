@@ -50,4 +50,11 @@ inline constexpr std::array<NamedBoundary, 9> kNamedBoundaries{{
   return nullptr;
 }
 
+/// The same by canonical code.
+[[nodiscard]] constexpr const NamedBoundary* boundary_with_code(std::string_view code) noexcept {
+  for (const NamedBoundary& boundary : kNamedBoundaries)
+    if (boundary.code == code) return &boundary;
+  return nullptr;
+}
+
 }  // namespace hexatlas::build

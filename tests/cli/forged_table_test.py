@@ -82,6 +82,10 @@ class ForgedTableTest(program.ProgramTest):
         self.write("named.hxt", table([cell], 0, name="mine"))
         got = self.expect(0, self.hexatlas("table", "get", "--name", "mine", "--table", "named.hxt"))
         self.assertEqual(json.loads(got.out)["cells"], [cell])
+        # What is published is about the boundary, not about what the table calls it.
+        self.assertEqual(json.loads(got.out)["literature"]["hexahedra"], 1)
+        got = self.expect(0, self.hexatlas("table", "get", "--code", "q1:08a5df", "--table", "named.hxt"))
+        self.assertEqual(json.loads(got.out)["literature"]["hexahedra"], 1)
 
     def test_a_search_does_not_begin_with_it(self):
         # Two hexahedra on the ten vertices of the spindle's boundary, which is not theirs.

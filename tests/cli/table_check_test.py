@@ -7,11 +7,24 @@ table_files.py writes; the numbers of rooted quadrangulations of the literature.
 import hashlib
 import json
 import os
+import re
 import struct
 
 import program
 import surfaces
 from table_files import CENSUS_ROWS, TableTest, UnclaimedTest, signed, write_census
+
+
+class Besides(TableTest):
+    """What lies beside the table."""
+
+    def expect_damaged(self, name):
+        """The answer is no, and an object with --json."""
+        ran = self.expect(1, self.hexatlas("table", "check", "small.hxt"))
+        self.assertRegex(ran.out, r"\Asmall\.hxt: rejected: beside it, " + re.escape(name) + r": is not a [^\n]+\n\Z")
+        said = json.loads(self.expect(1, self.hexatlas("table", "check", "small.hxt", "--json")).out)
+        self.assertFalse(said["accepted"])
+        self.assertIn(name, said["reason"])
 
 
 class Damage(TableTest):
@@ -100,7 +113,7 @@ class Shares(TableTest):
             self.assertIn("--shard", self.expect(2, self.hexatlas("table", "check", "--shard", shard)).err)
 
 
-class Manifest(TableTest):
+class Manifest(Besides):
     def test_check_reads_the_manifest(self):
         ran = self.expect(0, self.hexatlas("table", "check", "small.hxt"))
         self.assertIn("as its manifest says", ran.out)
@@ -126,7 +139,7 @@ class Manifest(TableTest):
         self.expect(0, self.hexatlas("table", "check", "small.hxt"))
         for content in ("", "{}", "[]", "not json", text.replace('"entries": 2', '"entries": "x"')):
             self.write("small.manifest.json", content)
-            self.expect_fault(self.hexatlas("table", "check", "small.hxt"), "small.manifest.json")
+            self.expect_damaged("small.manifest.json")
         os.remove(self.path("small.manifest.json"))
         ran = self.expect(0, self.hexatlas("table", "check", "small.hxt"))
         self.assertIn("no manifest", ran.out)
@@ -136,7 +149,7 @@ class Manifest(TableTest):
         self.assertIn("no manifest", self.expect(0, self.hexatlas("table", "check", name)).out)
 
 
-class Census(UnclaimedTest):
+class Census(Besides, UnclaimedTest):
     def test_check_reads_the_census(self):
         census, digest = self.path("small.census.sqlite"), hashlib.sha256(self.good).hexdigest()
         write_census(census, digest, CENSUS_ROWS)
@@ -156,7 +169,7 @@ class Census(UnclaimedTest):
         write_census(census, "0" * 64, CENSUS_ROWS)
         self.expect(1, self.hexatlas("table", "check", "small.hxt"))
         self.write("small.census.sqlite", b"no database")
-        self.expect_fault(self.hexatlas("table", "check", "small.hxt"), "small.census.sqlite")
+        self.expect_damaged("small.census.sqlite")
 
 
 class Complete(UnclaimedTest):
