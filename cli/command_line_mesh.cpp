@@ -16,14 +16,18 @@ void add_mesh_to_write(CLI::App& app, std::string& output) {
       ->required();
 }
 
+void add_require_valid(CLI::App& app, bool& require_valid) {
+  app.add_flag("--require-valid", require_valid,
+               "Exit with 4 unless every hexahedron is proven valid");
+}
+
 template <class Options>
 void add_report(CLI::App& app, Options& options) {
   app.add_flag("--json", options.json, "Print one JSON object");
   app.add_option("--report", options.report,
                  "Write a page on the mesh: what was done, quality, singular edges (.html); - for "
                  "standard output");
-  app.add_flag("--require-valid", options.require_valid,
-               "Exit with 4 unless every hexahedron is proven valid");
+  add_require_valid(app, options.require_valid);
 }
 
 void add_effort(CLI::App& app, int& effort, const char* without = "harmonic places only") {
@@ -126,6 +130,11 @@ void add_mesh_hybrid(CLI::App& mesh, Action& action) {
                    "Of the lattice [that of squares whose halves are the triangles]")
       ->check(
           number_between(std::numeric_limits<double>::min(), std::numeric_limits<double>::max()))
+      ->needs(fill);
+  command
+      ->add_flag("--keep-diagonals", options->keep_diagonals,
+                 "The triangles of the surface stay, or are split, also where it is flat and other "
+                 "diagonals make more cubes")
       ->needs(fill);
   command->add_option("--quality", options->quality, "Least scaled Jacobian of a cell, exclusive")
       ->check(number_between(0, 0.999))
@@ -249,8 +258,10 @@ void add_simplify(CLI::App& app, Action& action) {
   add_seed(*command, search.seed);
   add_effort(*command, options->effort);
   command->add_flag("--json", options->json, "Print one JSON object");
+  add_require_valid(*command, options->require_valid);
   command->footer(
-      "Boundary points stay bit for bit; interior ones are placed anew if the mesh gets smaller.\n"
+      "Boundary points stay bit for bit; interior ones are placed anew if the mesh gets smaller;\n"
+      "fewer hexahedra can be worse ones, down to inverted: the quality of both meshes is told.\n"
       "Exit code 4 if it was stopped; the least mesh so far is written then. With -o - the\n"
       "summary, or the JSON, goes to standard error.\n" +
       example("hexatlas simplify large.vtu -o small.vtu"));

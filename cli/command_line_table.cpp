@@ -95,7 +95,8 @@ void add_table_readers(CLI::App& table, Action& action) {
       ->check(CLI::Range(6, 32));
   add_shard(*check, check_options->shard,
             "Judge the meshes of one of M shares only, R/M, and all else: several processors or "
-            "machines judge a large table together");
+            "machines judge a large table together. Blocks of meshes are shared, of 64 as the "
+            "program writes them");
   check->add_flag("--json", check_options->json, "Print one JSON object");
   check->footer(example("hexatlas table check --complete-through 14"));
   check->callback([check_options, &action] {
@@ -110,8 +111,11 @@ void add_table_bounds(CLI::App& table, Action& action, const std::string& comman
   options->command = command_line;
   bounds->add_option("TABLE", options->table, "Table [the one beside the program]");
   bounds
-      ->add_option("-o,--output", options->output,
-                   "Table to write (.hxt), with manifest and census; it may be TABLE")
+      ->add_option(
+          "-o,--output", options->output,
+          "Table to write (.hxt), with manifest and census; it may be TABLE. Bounds and smaller "
+          "meshes of a table that is there already are taken over, so that a search that "
+          "was stopped goes on")
       ->required();
   bounds
       ->add_option("--max-hexes", options->max_hexahedra,

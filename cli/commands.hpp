@@ -64,11 +64,12 @@ struct MeshDelaunayOptions {
 struct MeshHybridOptions {
   std::string input;
   std::string output;
-  std::string candidates;  ///< file for their list; empty: none
-  bool count = false;      ///< no mesh, and no output
-  std::string fill;        ///< "lattice": the input is a surface; empty: tetrahedra
-  double spacing = 0;      ///< of the lattice; 0: by the surface
-  double quality = 0.1;    ///< the least, exclusive
+  std::string candidates;       ///< file for their list; empty: none
+  bool count = false;           ///< no mesh, and no output
+  std::string fill;             ///< "lattice": the input is a surface; empty: tetrahedra
+  double spacing = 0;           ///< of the lattice; 0: by the surface
+  bool keep_diagonals = false;  ///< of the surface
+  double quality = 0.1;         ///< the least, exclusive
   bool conforming = true;
   int rounds = 2;  ///< of exchange
   bool json = false;
@@ -100,6 +101,7 @@ struct SimplifyOptions {
   std::string input, output, table;
   bool without_table = false;
   bool json = false;
+  bool require_valid = false;
   int effort = untangle::kDefaultEffort;  ///< of placing the interior vertices
   simplify::Options search;
 };

@@ -51,6 +51,7 @@ void add_mesh(nlohmann::ordered_json& json, const HybridAccount& account) {
   json["given_up"] = combined.given_up;
   json["inserted_pyramids"] = combined.inserted_pyramids;
   json["new_points"] = combined.new_points;
+  json["points_inside_cells"] = account.points_inside_cells;
 }
 
 void add_lattice(nlohmann::ordered_json& json, const LatticeAccount& lattice) {
@@ -109,16 +110,33 @@ std::string json_line(const HybridAccount& account) {
   return to_line(json);
 }
 
+/// What the tetrahedra are made of, and what was done to the surface given.
+std::string lattice_line(const LatticeAccount& lattice) {
+  return fmt::format(
+      "lattice: {} inside, {:.4g} apart; the surface has {} more, and flat parts of it other "
+      "diagonals, by {}\n",
+      counted(lattice.points, "point", "points"), lattice.spacing,
+      counted(lattice.added_on_surface, "point", "points"),
+      counted(lattice.exchanged_diagonals, "exchange", "exchanges"));
+}
+
+/// Where tetrahedra around a vertex make up one cell, it has none.
+std::string inside_line(std::size_t points) {
+  if (points == 0) return "";
+  return fmt::format("{} inside a cell, of no cell themselves\n",
+                     counted(points, "point of the tetrahedra is", "points of the tetrahedra are"));
+}
+
 std::string summary(const HybridAccount& account, const std::string& output) {
-  std::string text =
-      fmt::format("{} of {}: {}, {}, {} of quality above {}, in {:.2f} seconds with {}\n",
-                  output.empty() ? "candidates" : output,
-                  counted(account.tetrahedra, "tetrahedron", "tetrahedra"),
-                  counted(account.candidates[0], "hexahedron", "hexahedra"),
-                  counted(account.candidates[1], "prism", "prisms"),
-                  counted(account.candidates[2], "pyramid", "pyramids"), account.quality,
-                  account.search_seconds,
-                  counted(static_cast<std::size_t>(account.threads), "thread", "threads"));
+  std::string text = account.lattice ? lattice_line(*account.lattice) : "";
+  text += fmt::format("{} of {}: {}, {}, {} of quality above {}, in {:.2f} seconds with {}\n",
+                      output.empty() ? "candidates" : output,
+                      counted(account.tetrahedra, "tetrahedron", "tetrahedra"),
+                      counted(account.candidates[0], "hexahedron", "hexahedra"),
+                      counted(account.candidates[1], "prism", "prisms"),
+                      counted(account.candidates[2], "pyramid", "pyramids"), account.quality,
+                      account.search_seconds,
+                      counted(static_cast<std::size_t>(account.threads), "thread", "threads"));
   if (account.undecided > 0)
     text += fmt::format("{} left out, not decided to be valid or not\n",
                         counted(account.undecided, "hexahedron", "hexahedra"));
@@ -137,7 +155,8 @@ std::string summary(const HybridAccount& account, const std::string& output) {
   };
   text += line(report.hexahedra, "hexahedron", "hexahedra") +
           line(report.prisms, "prism", "prisms") + line(report.pyramids, "pyramid", "pyramids") +
-          line(report.tetrahedra, "tetrahedron", "tetrahedra");
+          line(report.tetrahedra, "tetrahedron", "tetrahedra") +
+          inside_line(account.points_inside_cells);
   if (combined.quads_on_triangles > 0)
     return text + fmt::format("not conforming: {} two triangles of tetrahedra\n",
                               counted(combined.quads_on_triangles, "quad meets", "quads meet"));

@@ -29,6 +29,7 @@ struct HybridAccount {
   std::vector<std::size_t> classes;          ///< of hexahedra by class, at last those of none
   std::optional<hybrid::Combined> combined;  ///< without: candidates were counted only
   quality::HybridReport report;              ///< of the mesh
+  std::size_t points_inside_cells = 0;       ///< vertices of tetrahedra that no cell has
   double search_seconds = 0;                 ///< for the candidates
   double seconds = 0;                        ///< without files and lattice
   int threads = 1;

@@ -19,7 +19,12 @@ extern "C" void request_stop(int signal) {
 }  // namespace
 
 const std::atomic<bool>& stop_requested() {
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, request_stop);
+  // Once: what the first signal did is to stay.
+  static const bool is_installed = [] {
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, request_stop);
+    return true;
+  }();
+  static_cast<void>(is_installed);
   return stop;
 }
 

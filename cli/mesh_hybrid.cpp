@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <variant>
 
@@ -41,12 +42,30 @@ bool has_surfaces_inside(const hybrid::TetGraph& graph) {
   return false;
 }
 
+/// How many vertices of tetrahedra no cell has: tetrahedra around them make up one cell.
+std::size_t vertices_of_no_cell(const hybrid::TetGraph& graph, const mesh::HybridMesh& mesh) {
+  std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
+  const auto use = [&](const auto& cells) {
+    for (const auto& cell : cells)
+      for (const mesh::Index v : cell) is_used[v] = 1;
+  };
+  use(mesh.tetrahedra);
+  use(mesh.hexahedra);
+  use(mesh.prisms);
+  use(mesh.pyramids);
+  std::size_t count = 0;
+  for (mesh::Index v = 0; v < graph.points().size(); ++v)
+    if (!graph.star(v).empty() && is_used[v] == 0) ++count;
+  return count;
+}
+
 /// The tetrahedra of the file, or those inside its surface.
 mesh::TetModel model_of(const MeshHybridOptions& options, HybridAccount& account) {
   if (options.fill.empty()) return io::read_tet_model(options.input);
   const mesh::FacetMesh surface = io::read_facets(options.input);
   hybrid::LatticeOptions lattice;
   lattice.spacing = options.spacing;
+  lattice.keeps_diagonals = options.keep_diagonals;
   lattice.threads = account.threads;
   auto filled = hybrid::fill_with_lattice(surface, lattice);
   if (const auto* fault = std::get_if<complex::BrokenLaw>(&filled))
@@ -89,6 +108,7 @@ void make_mesh(const MeshHybridOptions& options, const hybrid::TetGraph& graph,
                                                                   shown_on(line, "cells closed"))
                                         : hybrid::plain_mesh(graph, candidates, cells);
   account.report = quality::report(account.combined->mesh);
+  account.points_inside_cells = vertices_of_no_cell(graph, account.combined->mesh);
 }
 
 }  // namespace
@@ -113,6 +133,10 @@ ExitCode mesh_hybrid(const MeshHybridOptions& options) {
   if (graph.is_turned_over())
     say("note: the tetrahedra of " + input_name(options.input) +
         " are inside out, all of them; they were turned over");
+  if (const std::size_t ignored = graph.ignored_triangles(); ignored != 0)
+    say(fmt::format("note: {} of {} {} no facet of a tetrahedron: ignored",
+                    counted(ignored, "coloured triangle", "coloured triangles"),
+                    input_name(options.input), ignored == 1 ? "is" : "are"));
   const double start = seconds();
   const hybrid::Candidates candidates = candidates_of(graph, options.quality, account.threads);
   account.search_seconds = seconds() - start;

@@ -136,10 +136,9 @@ void tell(const MeshFiles& files, const std::string& name, const WithoutMesh& wh
 }
 
 void turn_over_what_is_inside_out(mesh::HexMesh& mesh, const std::string& file) {
-  constexpr double kRounding = 1e-12;
   std::size_t turned = 0;
   for (const hexahedrize::Part& part : hexahedrize::parts_of(mesh)) {
-    if (!(part.volume < -kRounding)) continue;
+    if (part.side != exact::Sign::negative) continue;
     for (const std::size_t c : part.cells) cells::exchange_axes(mesh.hexahedra[c]);
     turned += part.cells.size();
   }
@@ -148,13 +147,19 @@ void turn_over_what_is_inside_out(mesh::HexMesh& mesh, const std::string& file) 
                     mesh.hexahedra.size(), file));
 }
 
+std::string in_short(double quality) {
+  constexpr double kLeastShown = 0.00005;  // of four digits
+  return quality == 0 || std::abs(quality) >= kLeastShown ? fmt::format("{:.4f}", quality)
+                                                          : fmt::format("{:.1e}", quality);
+}
+
 std::string quality_text(const quality::Report& report) {
   std::string bins;
   for (const std::size_t count : report.histogram) bins += fmt::format(" {}", count);
   return fmt::format(
-      "scaled Jacobian: minimum {:.4f}, mean {:.4f}; {} of {} proven valid, {} inverted\n"
+      "scaled Jacobian: minimum {}, mean {}; {} of {} proven valid, {} inverted\n"
       "hexahedra by tenths of it, from below 0.1 to 1:{}\n",
-      report.min_scaled_jacobian, report.mean_scaled_jacobian, report.valid,
+      in_short(report.min_scaled_jacobian), in_short(report.mean_scaled_jacobian), report.valid,
       counted(report.cells, "hexahedron", "hexahedra"), report.inverted, bins);
 }
 

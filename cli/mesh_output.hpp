@@ -73,6 +73,9 @@ void tell(const MeshFiles& files, const std::string& name, const WithoutMesh& wh
 /// Requires a mesh without hexahedrize::fault_of_sides().
 void turn_over_what_is_inside_out(mesh::HexMesh& mesh, const std::string& file);
 
+/// A quality with four digits; one that these would make 0 with its exponent.
+[[nodiscard]] std::string in_short(double quality);
+
 /// Two lines: the scaled Jacobians and what is proven; the hexahedra by tenths of the scaled
 /// Jacobian.
 [[nodiscard]] std::string quality_text(const quality::Report& report);

@@ -73,8 +73,8 @@ mesh::HexMesh placed(const complex::HexComplex& made, const mesh::SurfaceMesh& b
                      int effort) {
   mesh::HexMesh mesh{boundary.points, made.hexahedra};
   mesh.points.resize(made.vertices);
-  hexahedrize::place(mesh, boundary.points.size(),
-                     {.effort = effort, .threads = parallel::available_threads()});
+  hexahedrize::place_in_a_frame(mesh, boundary.points.size(),
+                                {.effort = effort, .threads = parallel::available_threads()});
   const check::Surface surface = for_judge(boundary);
   const check::Verdict verdict = check::check_mesh(for_judge(mesh), &surface);
   if (!verdict.accepted && !verdict.undecided)
@@ -82,36 +82,37 @@ mesh::HexMesh placed(const complex::HexComplex& made, const mesh::SurfaceMesh& b
   return mesh;
 }
 
-std::string json_line(std::size_t before, const mesh::HexMesh& mesh, std::size_t interior,
-                      const simplify::Simplified& made, double elapsed) {
-  const quality::Report report = quality::report(mesh);
+/// The meshes before and after.
+struct Change {
+  quality::Report before, after;
+  std::size_t interior = 0, exchanges = 0;
+};
+
+std::string json_line(const Change& change, double elapsed) {
   nlohmann::ordered_json json;
-  json["before"] = before;
-  json["after"] = report.cells;
-  json["interior_vertices"] = interior;
-  json["exchanges"] = made.exchanges;
+  json["before"] = change.before.cells;
+  json["after"] = change.after.cells;
+  json["interior_vertices"] = change.interior;
+  json["exchanges"] = change.exchanges;
   json["seconds"] = elapsed;
-  json["min_scaled_jacobian"] = report.min_scaled_jacobian;
-  json["valid"] = report.valid;
-  json["inverted"] = report.inverted;
-  json["histogram"] = report.histogram;
+  add_quality(json, change.after);
+  add_quality(json["quality_before"], change.before);
   return to_line(json);
 }
 
-std::string summary(std::size_t before, const mesh::HexMesh& mesh, std::size_t interior,
-                    const simplify::Simplified& made, const std::string& output) {
-  const quality::Report report = quality::report(mesh);
-  return fmt::format("{}: {}, {} before; {}; {}\n{}", output,
-                     counted(report.cells, "hexahedron", "hexahedra"), before,
-                     counted(interior, "interior vertex", "interior vertices"),
-                     counted(made.exchanges, "exchange", "exchanges"), quality_text(report));
+std::string summary(const Change& change, const std::string& output) {
+  return fmt::format("{}: {}, {} before; {}; {}\nbefore\n{}after\n{}", output,
+                     counted(change.after.cells, "hexahedron", "hexahedra"), change.before.cells,
+                     counted(change.interior, "interior vertex", "interior vertices"),
+                     counted(change.exchanges, "exchange", "exchanges"),
+                     quality_text(change.before), quality_text(change.after));
 }
 
 simplify::Simplified searched(const complex::HexComplex& mesh, const SimplifyOptions& options) {
   simplify::Options search = options.search;
   search.stop = &stop_requested();
   std::optional<format::Table> table;
-  if (!options.without_table) table = format::Table::open(table_path(options.table));
+  if (!options.without_table) table = open_table(options.table);
   ProgressLine line;
   search.progress = [&](std::size_t tries, std::size_t hexahedra) {
     line.update(fmt::format("{} hexahedra, least {}; tries", mesh.hexahedra.size(), hexahedra),
@@ -137,12 +138,11 @@ ExitCode simplify_mesh(const SimplifyOptions& options) {
   const bool is_smaller = made.mesh.hexahedra.size() < given.hexahedra.size();
   const mesh::HexMesh mesh = is_smaller ? placed(made.mesh, start.boundary, options.effort) : given;
   write_mesh(options.output, mesh);
-  const std::size_t interior = mesh.points.size() - start.boundary.points.size();
-  const double elapsed = seconds() - begin;
-  tell(options.output, options.json
-                           ? json_line(given.hexahedra.size(), mesh, interior, made, elapsed)
-                           : summary(given.hexahedra.size(), mesh, interior, made, options.output));
-  if (!made.is_stopped) return ExitCode::yes;
+  const Change change{quality::report(given), quality::report(mesh),
+                      mesh.points.size() - start.boundary.points.size(), made.exchanges};
+  tell(options.output,
+       options.json ? json_line(change, seconds() - begin) : summary(change, options.output));
+  if (!made.is_stopped) return answer_for(change.after, options.require_valid);
   say("stopped; the least mesh so far was written");
   return ExitCode::undecided;
 }

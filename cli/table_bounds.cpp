@@ -13,8 +13,10 @@
 #include "cli/table_path.hpp"
 #include "cli/table_write.hpp"
 #include "enum/core/errors.hpp"
+#include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "tables/build/bounds.hpp"
+#include "tables/fill/filled.hpp"
 #include "tables/format/manifest.hpp"
 
 namespace hexatlas::cli {
@@ -100,7 +102,7 @@ void take_over(const format::Table& earlier, Given& work) {
     ++taken;
     row.lower_bound = bound;
     if (entry.hexahedra >= hexahedra) continue;
-    row.mesh = earlier.mesh(*ordinal);
+    row.mesh = fill::mesh_in(earlier, *ordinal, earlier.path());
     work.making.found[row.code] = sources.at(row.code);
   }
   if (taken != 0)
@@ -108,14 +110,17 @@ void take_over(const format::Table& earlier, Given& work) {
                     earlier.path()));
 }
 
-/// What is at -o already, if that is another table than the one given.
+/// What is at -o already, if that is another table than the one given; one that is damaged may be
+/// the work of days, and is not replaced.
 void take_over_what_is_there(const std::string& output, const format::Table& given, Given& work) {
   if (!is_there(output)) return;
   std::optional<format::Table> earlier;
   try {
     earlier = format::Table::open(output);
-  } catch (const core::InvalidInput&) {
-    return;  // no table: it will be one
+  } catch (const core::InvalidInput& no_table) {
+    if (core::read_file(output).starts_with("hexatlas")) throw;
+    say(fmt::format("note: {}; it will be replaced", no_table.what()));
+    return;
   }
   if (earlier->sha256() != given.sha256()) take_over(*earlier, work);
 }
@@ -187,7 +192,7 @@ std::string text_of(const format::Table& table, const Tally& tally) {
 
 ExitCode table_bounds(const TableBoundsOptions& options) {
   expect_table_writable(options.output);
-  const format::Table before = format::Table::open(table_path(options.table));
+  const format::Table before = open_table(options.table);
   Given work = given(before, options.command);
   take_over_what_is_there(options.output, before, work);
   const auto chosen = chosen_from(before, options, work.table.rows);
@@ -203,8 +208,10 @@ ExitCode table_bounds(const TableBoundsOptions& options) {
   print(options.json ? json_line(table, tally, is_finished) : text_of(table, tally));
   if (is_finished) return ExitCode::yes;
   if (had_all_turns)
-    say(fmt::format("for {} --max-nodes ended the search; their bounds may be too small",
-                    counted(tally.cut, "boundary", "boundaries")));
+    say(fmt::format(
+        "for {} --max-nodes ended the search, or a mesh that may be no ball; their bounds "
+        "may be too small",
+        counted(tally.cut, "boundary", "boundaries")));
   else
     say("stopped; the same command goes on with " + options.output);
   return ExitCode::undecided;

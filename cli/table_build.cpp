@@ -89,15 +89,27 @@ build::TableSearch begin_with(const std::vector<std::string>& files,
     say(fmt::format(
         "{}: {} taken over", table.path(),
         counted(search->take_over(table, table.path(), origins_of(table)), "mesh", "meshes")));
+  // A search only makes them smaller.
+  for (const build::TableSearch::Row& row : search->rows())
+    for (const format::Table& table : tables)
+      if (const auto ordinal = table.find(row.code))
+        build::expect_not_refuted(table.path(), row.code, table.entry(*ordinal).lower_bound,
+                                  static_cast<std::size_t>(row.hexahedra));
   return *std::move(search);
 }
 
 build::TableSearch begin(const TableBuildOptions& options) {
   std::vector<canon::Code> targets = boundaries(options);
   const build::SearchOptions search = search_options(options);
-  if (!options.state.empty() && is_there(options.state))
+  if (!options.state.empty() && is_there(options.state)) {
+    if (!options.start_from.empty())
+      say(
+          fmt::format("note: {} goes on with what it has; only a new search begins with what "
+                      "--start-from names",
+                      options.state));
     return build::TableSearch::from_bytes(core::read_file(options.state), std::move(targets),
                                           search, options.state);
+  }
   if (options.so_far)
     throw core::InvalidInput(options.state, "is not there: there is no search so far");
   return begin_with(options.start_from, std::move(targets), search);
@@ -137,9 +149,8 @@ int complete_through(int max_quads, const std::vector<canon::Code>& without_mesh
   return complete < 6 ? 0 : complete;
 }
 
-std::map<canon::Code, Found> found_of(const build::TableSearch& search) {
+std::map<canon::Code, Found> found_of(const build::TableSearch& search, const std::string& date) {
   std::map<canon::Code, Found> result;
-  const std::string date = today();
   for (const auto& row : search.rows())
     result[row.code] = {std::string(build::name_of(row.origin)), date};
   return result;
@@ -195,6 +206,7 @@ void keep_known(const std::vector<std::string>& files, int threads,
 
 ExitCode table_build(const TableBuildOptions& options) {
   expect_table_writable(options.output);
+  const std::string date = today();
   if (!options.state.empty()) core::expect_writable(options.state);
   build::TableSearch search = begin(options);
   if (!options.so_far && !proceed(search, options.state, options.save_every)) {
@@ -210,7 +222,7 @@ ExitCode table_build(const TableBuildOptions& options) {
   if (without_mesh.size() > kMissingShown)
     say(fmt::format("no mesh found for {} boundaries in all", without_mesh.size()));
   NewTable made{build::table_rows(search), {}, complete_through(options.max_quads, without_mesh)};
-  std::map<canon::Code, Found> found = found_of(search);
+  std::map<canon::Code, Found> found = found_of(search, date);
   keep_known(options.start_from, search.balls().options().threads, made.rows, found);
   made.names = names_among(made.rows);
   const format::Table table = write_table(

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "enum/core/errors.hpp"
+#include "enum/core/files.hpp"
 #include "enum/flips/scars.hpp"
 
 namespace hexatlas::cli {
@@ -42,8 +43,14 @@ std::string table_path(const std::string& asked_for) {
                  "make one with `hexatlas table build`");
 }
 
+format::Table open_table(const std::string& asked_for) {
+  const std::string path = table_path(asked_for);
+  return path == "-" ? format::Table::from_bytes(core::read_file(path), "standard input")
+                     : format::Table::open(path);
+}
+
 format::Table table_for(const std::string& asked_for, std::size_t quads) {
-  format::Table table = format::Table::open(table_path(asked_for));
+  format::Table table = open_table(asked_for);
   const auto has_all = [&](const format::Table& one) {
     return quads <= static_cast<std::size_t>(one.complete_through());
   };

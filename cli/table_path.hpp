@@ -19,10 +19,13 @@ namespace hexatlas::cli {
 /// Throws InvalidInput if it was not asked for and is not there.
 [[nodiscard]] std::string table_path(const std::string& asked_for);
 
+/// Reads it; "-" is standard input. Throws as format::Table::open() does, too.
+[[nodiscard]] format::Table open_table(const std::string& asked_for);
+
 /// The table to read for a boundary of so many quads: the one asked for, or of those that come with
 /// the program the first, or, if it does not claim to have all such boundaries, the larger one:
 /// from more meshes a search makes smaller ones. Of boundaries too large for a search, the first.
-/// Throws as table_path() and format::Table::open() do.
+/// Throws as open_table() does.
 [[nodiscard]] format::Table table_for(const std::string& asked_for, std::size_t quads);
 
 /// The same for the sectors of the linear construction.

@@ -10,6 +10,7 @@
 #include "cli/output.hpp"
 #include "cli/table_by_quads.hpp"
 #include "cli/table_path.hpp"
+#include "cli/table_write.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "enum/flips/scars.hpp"
@@ -48,7 +49,8 @@ std::string names_text(const format::Table& table) {
 }  // namespace
 
 ExitCode table_info(const TableInfoOptions& options) {
-  const format::Table table = format::Table::open(table_path(options.table));
+  if (would_lose_table(options.table, {"--svg", options.svg}, "table info")) return ExitCode::usage;
+  const format::Table table = open_table(options.table);
   if (options.by_quads) {
     print_by_quads(table, options);
     return ExitCode::yes;
@@ -103,7 +105,9 @@ std::optional<complex::HexComplex> searched(const format::Table& table, const ca
 }  // namespace
 
 ExitCode table_list(const TableListOptions& options) {
-  const format::Table table = format::Table::open(table_path(options.table));
+  if (would_lose_table(options.table, {"--output", options.output}, "table list"))
+    return ExitCode::usage;
+  const format::Table table = open_table(options.table);
   std::string text = "code\tquads\thexahedra\tinterior_vertices\tlower_bound\n";
   for (std::size_t i = 0; i < table.size(); ++i) {
     const format::TableEntry entry = table.entry(i);
@@ -117,6 +121,8 @@ ExitCode table_list(const TableListOptions& options) {
 }
 
 ExitCode table_get(const TableGetOptions& options) {
+  if (would_lose_table(options.table, {"--output", options.output}, "table get"))
+    return ExitCode::usage;
   std::optional<canon::Code> wanted;
   if (options.name.empty()) {
     const auto boundary = fillable_boundary_of_code(options.code);
@@ -125,8 +131,8 @@ ExitCode table_get(const TableGetOptions& options) {
   } else if (const auto* named = build::named_boundary(options.name)) {
     wanted = canon::from_text(named->code);
   }
-  const format::Table table = wanted ? table_for(options.table, wanted->quads)
-                                     : format::Table::open(table_path(options.table));
+  const format::Table table =
+      wanted ? table_for(options.table, wanted->quads) : open_table(options.table);
   const canon::Code code = wanted ? *wanted : code_of_name(options.name, table);
   const auto ordinal = table.find(code);
   std::optional<complex::HexComplex> mesh;

@@ -2,12 +2,16 @@
 
 #include <fmt/chrono.h>
 
+#include <charconv>
 #include <cstdlib>
 #include <ctime>
 #include <exception>
+#include <string_view>
+#include <system_error>
 
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
+#include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "tables/format/manifest.hpp"
 
@@ -28,6 +32,18 @@ build::Census census_of(const format::Table& table, const Making& making) {
 
 std::array<std::string, 3> table_files(const std::string& path) {
   return {path, format::manifest_path(path), build::census_path(path)};
+}
+
+bool would_lose_table(const std::string& asked_for, const NamedFile& output, const char* verb) {
+  if (output.second.empty() || output.second == "-") return false;
+  static constexpr std::array<const char*, 3> kWhat{"the table", "its manifest", "its census"};
+  const auto files = table_files(table_path(asked_for));
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (const auto same = same_files({kWhat[i], files[i]}, {output})) {
+      say(fmt::format("{}. See `hexatlas {} --help`.", *same, verb));
+      return true;
+    }
+  return false;
 }
 
 void expect_table_writable(const std::string& path) {
@@ -60,7 +76,14 @@ format::Table write_table(const std::string& path, const NewTable& made, const M
 
 std::string today() {
   std::time_t now = std::time(nullptr);
-  if (const char* epoch = std::getenv("SOURCE_DATE_EPOCH")) now = std::atoll(epoch);
+  if (const char* const epoch = std::getenv("SOURCE_DATE_EPOCH"); epoch != nullptr && *epoch != 0) {
+    constexpr std::time_t kLast = 253'402'300'799;  // of the year 9999
+    const std::string_view word(epoch);
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), now);
+    if (error != std::errc() || end != word.data() + word.size() || now < 0 || now > kLast)
+      throw core::InvalidInput("SOURCE_DATE_EPOCH",
+                               "is no number of seconds from 0 to " + std::to_string(kLast));
+  }
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(now));
 }
 

@@ -8,12 +8,18 @@
 #include <string>
 #include <vector>
 
+#include "cli/mesh_output.hpp"
 #include "tables/format/table.hpp"
 
 namespace hexatlas::cli {
 
 /// The table and what lies beside it: its manifest and its census.
 [[nodiscard]] std::array<std::string, 3> table_files(const std::string& path);
+
+/// Whether the output would take the place of the table to read (table_path() of `asked_for`) or of
+/// what lies beside it; says so.
+[[nodiscard]] bool would_lose_table(const std::string& asked_for, const NamedFile& output,
+                                    const char* verb);
 
 /// Before long work: throws what writing one of the three files would throw.
 void expect_table_writable(const std::string& path);
@@ -42,7 +48,7 @@ struct Making {
 format::Table write_table(const std::string& path, const NewTable& made, const Making& making);
 
 /// The date of what is found now: that of SOURCE_DATE_EPOCH, for builds that are to be the same on
-/// any day, or today.
+/// any day, or today. Throws InvalidInput if that is no such number; to be asked before long work.
 [[nodiscard]] std::string today();
 
 }  // namespace hexatlas::cli

@@ -8,16 +8,19 @@ const HEIGHT = 56;
 const BAR = 10;
 const BINS = 44;
 
-/** [-1, 1], or [0, 1] if nothing is below zero. */
+/** [-1, 1], or [0, 1] if all are above zero. */
 function rangeOf(mesh) {
   const least = mesh.jacobians.reduce((a, b) => Math.min(a, b), 1);
-  return least < 0 ? [-1, 1] : [0, 1];
+  return least > 0 ? [0, 1] : [-1, 1];
 }
 
 function countsIn(mesh, [low, high]) {
   const counts = new Uint32Array(BINS);
-  for (const value of mesh.jacobians)
-    ++counts[Math.min(BINS - 1, Math.max(0, Math.floor(((value - low) / (high - low)) * BINS)))];
+  for (const value of mesh.jacobians) {
+    const bin = Math.min(BINS - 1, Math.max(0, Math.floor(((value - low) / (high - low)) * BINS)));
+    // Zero has the colour of what is below.
+    ++counts[value === 0 && low < 0 ? BINS / 2 - 1 : bin];
+  }
   return counts;
 }
 

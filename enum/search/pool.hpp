@@ -132,19 +132,27 @@ auto shard(std::size_t index, std::size_t parts, Make&& make, Collect&& collect)
   using Choice = typename decltype(problem)::Choice;
   Frontier<Choice, Found> result;
   if (parts == 1) return result;
-  constexpr std::size_t kRootsOfPart = 50;  // so that the parts are about alike
+  constexpr std::size_t kRootsOfPart = 50;       // so that the parts are about alike
+  constexpr std::uint64_t kMostNodes = 100'000;  // of the top, which all parts go through
   Exploration<Choice> top;
-  std::size_t before = 0;
-  for (std::size_t depth = 1; depth == 1 || (top.unexplored.size() > before &&
-                                             top.unexplored.size() < kRootsOfPart * parts);
-       ++depth) {
-    before = top.unexplored.size();
+  const auto explore_to = [&](std::size_t depth) {
     result.found.clear();
     top = explore(problem, {}, {.depth = depth}, [&](const auto& solution) {
       if (std::optional<Found> kept = collect(solution)) result.found.push_back(std::move(*kept));
       return true;
     });
-  }
+  };
+  // To the first depth with enough roots, or else to the one with most: there are few where choices
+  // are forced, and none below the last one.
+  std::size_t depth = 0, most = 0, best = 1;
+  do {
+    explore_to(++depth);
+    if (top.unexplored.size() > most) {
+      most = top.unexplored.size();
+      best = depth;
+    }
+  } while (!top.unexplored.empty() && top.counts.nodes < kMostNodes && most < kRootsOfPart * parts);
+  if (best != depth) explore_to(best);
   if (index == 0)
     result.counts = top.counts;
   else

@@ -1,6 +1,7 @@
 #include "meshing/hexahedrize/hexahedrize.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -11,8 +12,9 @@
 #include "enum/core/checks.hpp"
 #include "meshing/hexahedrize/linear.hpp"
 #include "meshing/hexahedrize/placing.hpp"
+#include "meshing/hexahedrize/sides.hpp"
 #include "meshing/hexahedrize/small_form.hpp"
-#include "realize/exact/volume.hpp"
+#include "meshing/quality/report.hpp"
 
 namespace hexatlas::hexahedrize {
 namespace {
@@ -20,20 +22,12 @@ namespace {
 using complex::QuadSphere;
 using mesh::Point;
 
-/// The sign of the volume that the surface encloses. A quad need not be planar: it is cut along
-/// either diagonal, which gives twice the volume under the bilinear surface.
-exact::Sign sign_of_volume(const QuadSphere& sphere, const std::vector<Point>& points) {
-  const auto at = [&](complex::VertexId v) {
-    const Point& p = points[sphere.point_of[v]];
-    return exact::Point3{p.x, p.y, p.z};
-  };
-  std::vector<std::array<exact::Point3, 3>> triangles;
-  triangles.reserve(4 * sphere.quads.size());
-  for (const auto& quad : sphere.quads) {
-    const std::array p{at(quad[0]), at(quad[1]), at(quad[2]), at(quad[3])};
-    for (std::size_t i = 0; i < 4; ++i) triangles.push_back({p[i], p[(i + 1) % 4], p[(i + 2) % 4]});
-  }
-  return exact::sign_of_volume(triangles);
+/// Of the volume that the surface encloses.
+exact::Sign sign_within(const QuadSphere& sphere, const std::vector<Point>& points) {
+  std::vector<std::array<Point, 4>> quads(sphere.quads.size());
+  for (std::size_t q = 0; q < quads.size(); ++q)
+    for (std::size_t i = 0; i < 4; ++i) quads[q][i] = points[sphere.point_of[sphere.quads[q][i]]];
+  return sign_of_volume(quads);
 }
 
 void turn_over(QuadSphere& sphere) {
@@ -55,14 +49,14 @@ Hexahedrized with_coordinates(const complex::HexComplex& cells, const QuadSphere
     result.mesh.hexahedra.push_back(cell);
   }
   const int usual = result.mesh.hexahedra.size() <= kSmallMesh ? untangle::kDefaultEffort : 0;
-  place(result.mesh, points.size(),
-        {.effort = placing.effort.value_or(usual), .threads = placing.threads});
+  place_in_a_frame(result.mesh, points.size(),
+                   {.effort = placing.effort.value_or(usual), .threads = placing.threads});
   return result;
 }
 
 SurfaceNotes turned_outwards(QuadSphere& sphere, const mesh::SurfaceMesh& surface,
                              const std::string& file) {
-  const exact::Sign volume = sign_of_volume(sphere, surface.points);
+  const exact::Sign volume = sign_within(sphere, surface.points);
   const bool is_tie = 2 * sphere.reversed == sphere.quads.size();
   if (is_tie && volume == exact::Sign::zero)
     throw core::InvalidInput(file,
@@ -133,7 +127,22 @@ Hexahedrized with_account(const PeeledMesh& peeled, Method method, const QuadSph
   return made;
 }
 
-/// By the first of the methods allowed that can.
+Hexahedrized by_flips(const QuadSphere& sphere, const mesh::SurfaceMesh& surface,
+                      const Means& means, const Placing& placing) {
+  const PeeledMesh peeled = mesh_by_peeling(sphere, means.table, means.sectors, means.peeling);
+  Hexahedrized made = with_account(peeled, Method::flips, sphere, surface, placing);
+  if (!peeled.account.by_table)
+    made.construction = account_of(peeled.used, peeled.account.cavity, means.sectors);
+  return made;
+}
+
+std::size_t not_valid(const Hexahedrized& made) {
+  const quality::Report report = quality::report(made.mesh);
+  return report.cells - report.valid;
+}
+
+/// By the first of the methods allowed that can; where zones leave hexahedra that are not valid, by
+/// flips if these leave fewer. Zones of a body with a gap go through the gap.
 std::variant<Hexahedrized, Impossible, NotInTable> meshed(const QuadSphere& sphere,
                                                           const mesh::SurfaceMesh& surface,
                                                           const Means& means,
@@ -142,15 +151,15 @@ std::variant<Hexahedrized, Impossible, NotInTable> meshed(const QuadSphere& sphe
   std::string code;
   if (may(Method::table))
     if (auto made = by_table(sphere, surface, means.table, placing, code)) return *std::move(made);
+  std::optional<Hexahedrized> zones;
   if (may(Method::zones) && means.table != nullptr)
     if (const auto peeled = mesh_by_zones(sphere, *means.table, means.peeling))
-      return with_account(*peeled, Method::zones, sphere, surface, placing);
+      zones = with_account(*peeled, Method::zones, sphere, surface, placing);
+  const std::size_t faults = zones ? not_valid(*zones) : 0;
+  if (zones && (means.only || faults == 0)) return *std::move(zones);
   if (may(Method::flips)) {
-    const PeeledMesh peeled = mesh_by_peeling(sphere, means.table, means.sectors, means.peeling);
-    Hexahedrized made = with_account(peeled, Method::flips, sphere, surface, placing);
-    if (!peeled.account.by_table)
-      made.construction = account_of(peeled.used, peeled.account.cavity, means.sectors);
-    return made;
+    Hexahedrized flips = by_flips(sphere, surface, means, placing);
+    return zones && faults <= not_valid(flips) ? *std::move(zones) : std::move(flips);
   }
   if (!may(Method::construction)) return NotInTable{sphere.quads.size(), code};
   const LinearMesh linear = mesh_by_sectors(sphere, means.sectors);

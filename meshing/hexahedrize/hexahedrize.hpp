@@ -38,7 +38,8 @@ enum class Method : std::uint8_t {
 struct Means {
   const format::Table* table = nullptr;
   std::span<const format::Sector> sectors{};
-  /// Else the first that can: the table, zones, flips.
+  /// Else the first that can: the table, zones, flips; and flips also where zones leave hexahedra
+  /// that are not valid and flips leave fewer.
   std::optional<Method> only{};
   PeelOptions peeling{};
 };

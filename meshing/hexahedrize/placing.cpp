@@ -1,10 +1,14 @@
 #include "meshing/hexahedrize/placing.hpp"
 
 #include <algorithm>
+#include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "enum/core/checks.hpp"
+#include "meshing/hexahedrize/round_frame.hpp"
+#include "meshing/quality/report.hpp"
 #include "realize/untangle/koebe.hpp"
 
 namespace hexatlas::hexahedrize {
@@ -23,6 +27,25 @@ void place(mesh::HexMesh& mesh, std::size_t first_free, const untangle::Options&
   std::vector<std::uint8_t> is_free(mesh.points.size(), 1);
   std::fill_n(is_free.begin(), first_free, std::uint8_t{0});
   place(mesh, std::move(is_free), options);
+}
+
+void place_in_a_frame(mesh::HexMesh& mesh, std::size_t first_free,
+                      const untangle::Options& options) {
+  constexpr double kSkew = 2;  // of a body nearly four times as long as it is wide
+  place(mesh, first_free, options);
+  const auto frame = RoundFrame::of(std::span(mesh.points).first(first_free));
+  if (!frame || frame->skewness() < kSkew) return;
+  const quality::Report here = quality::report(mesh);
+  if (here.valid == here.cells) return;
+  mesh::HexMesh other = mesh;
+  for (mesh::Point& p : other.points) p = frame->into(p);
+  place(other, first_free, options);
+  for (mesh::Point& p : other.points) p = frame->back(p);
+  std::copy_n(mesh.points.begin(), first_free, other.points.begin());
+  if (!std::all_of(other.points.begin(), other.points.end(), mesh::is_finite)) return;
+  const quality::Report there = quality::report(other);
+  if (std::tuple(there.valid, here.inverted) > std::tuple(here.valid, there.inverted))
+    mesh = std::move(other);
 }
 
 mesh::HexMesh placed(const complex::HexComplex& cells, const complex::Quadrangulation& boundary,

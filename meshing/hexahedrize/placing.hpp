@@ -21,6 +21,12 @@ void place(mesh::HexMesh& mesh, std::size_t first_free, const untangle::Options&
 void place(mesh::HexMesh& mesh, std::vector<std::uint8_t> is_free,
            const untangle::Options& options);
 
+/// The same from `first_free` on, and once more in the frame in which the other points are about as
+/// far apart in all directions (round_frame.hpp) if they are not here and not all hexahedra came
+/// out valid; the places with more valid ones stay, of as many those with fewer inverted ones.
+void place_in_a_frame(mesh::HexMesh& mesh, std::size_t first_free,
+                      const untangle::Options& options);
+
 enum class Boundary : std::uint8_t {
   convex,  ///< a Koebe polyhedron (realize/untangle/koebe.hpp)
   free     ///< begins there, and then moves as the interior does

@@ -9,6 +9,7 @@
 #include "enum/complex/facets.hpp"
 #include "enum/complex/union_find.hpp"
 #include "meshing/quality/edge.hpp"
+#include "realize/exact/volume.hpp"
 
 namespace hexatlas::hexahedrize {
 namespace {
@@ -29,27 +30,46 @@ void for_each_quad(const std::vector<Facet>& facets, const Visit& visit) {
   }
 }
 
-/// Divided by the cube of the greatest extent; 0 if that is 0.
-double volume_within(const std::vector<mesh::Point>& points, const std::vector<Cycle>& quads) {
-  if (quads.empty()) return 0;
+using Corners = std::array<mesh::Point, 4>;
+
+/// In double precision; zero if the volume may be smaller than the rounding.
+exact::Sign rough_sign_of_volume(std::span<const Corners> quads) {
   constexpr double kQuarter = 0.25;  // so that no difference overflows
-  const mesh::Point& origin = points[quads[0][0]];
+  const mesh::Point& origin = quads[0][0];
   double extent = 0;
-  for (const Cycle& quad : quads)
-    for (const mesh::Index v : quad)
+  for (const Corners& quad : quads)
+    for (const mesh::Point& corner : quad)
       extent = std::max(extent, quality::greatest_component(
-                                    quality::scaled_difference(origin, points[v], kQuarter)));
-  if (extent == 0) return 0;
-  double six_volumes = 0;
-  for (const Cycle& quad : quads) {
-    std::array<mesh::Point, 4> p;
+                                    quality::scaled_difference(origin, corner, kQuarter)));
+  if (extent == 0) return exact::Sign::zero;
+  double sum = 0;
+  for (const Corners& quad : quads) {
+    Corners p;
     for (std::size_t i = 0; i < 4; ++i) {
-      const mesh::Point d = quality::scaled_difference(origin, points[quad[i]], kQuarter);
+      const mesh::Point d = quality::scaled_difference(origin, quad[i], kQuarter);
       p[i] = {d.x / extent, d.y / extent, d.z / extent};
     }
-    six_volumes += quality::determinant(p[0], p[1], p[2]) + quality::determinant(p[0], p[2], p[3]);
+    for (std::size_t i = 0; i < 4; ++i)
+      sum += quality::determinant(p[i], p[(i + 1) % 4], p[(i + 2) % 4]);
   }
-  return six_volumes / 6;
+  // Four determinants of numbers up to 1, each at most 6 and wrong by at most 40 units in the last
+  // place of 6, and as many additions to a sum of at most 24 for each quad.
+  constexpr double kUnit = 0x1p-53;
+  const auto count = static_cast<double>(quads.size());
+  const double rounding = 4 * count * (240 + 24 * count) * kUnit;
+  return sum > rounding    ? exact::Sign::positive
+         : sum < -rounding ? exact::Sign::negative
+                           : exact::Sign::zero;
+}
+
+exact::Sign sign_of_volume_within(const std::vector<mesh::Point>& points,
+                                  const std::vector<Cycle>& cycles) {
+  if (cycles.empty()) return exact::Sign::zero;
+  std::vector<Corners> quads(cycles.size());
+  for (std::size_t q = 0; q < cycles.size(); ++q)
+    for (std::size_t i = 0; i < 4; ++i) quads[q][i] = points[cycles[q][i]];
+  const exact::Sign rough = rough_sign_of_volume(quads);
+  return rough != exact::Sign::zero ? rough : sign_of_volume(quads);
 }
 
 std::string name_of(const Facet& side) {
@@ -99,6 +119,20 @@ std::optional<std::string> fault_of_sides(const mesh::HexMesh& mesh) {
   return std::nullopt;
 }
 
+exact::Sign sign_of_volume(std::span<const std::array<mesh::Point, 4>> quads) {
+  std::vector<std::array<exact::Point3, 3>> triangles;
+  triangles.reserve(4 * quads.size());
+  for (const auto& quad : quads)
+    for (std::size_t i = 0; i < 4; ++i) {
+      auto& triangle = triangles.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const mesh::Point& p = quad[(i + k) % 4];
+        triangle[k] = {p.x, p.y, p.z};
+      }
+    }
+  return exact::sign_of_volume(triangles);
+}
+
 std::vector<Part> parts_of(const mesh::HexMesh& mesh) {
   const std::vector<Facet> facets = facets_of(mesh);
   const std::size_t count = mesh.hexahedra.size();
@@ -122,7 +156,7 @@ std::vector<Part> parts_of(const mesh::HexMesh& mesh) {
   });
   for (std::size_t i = 0; i < parts.size(); ++i) {
     parts[i].boundary_quads = boundaries[i].size();
-    parts[i].volume = volume_within(mesh.points, boundaries[i]);
+    parts[i].side = sign_of_volume_within(mesh.points, boundaries[i]);
   }
   return parts;
 }

@@ -4,15 +4,19 @@
 /// quad lie on its two sides, and how much the others enclose.
 ///
 /// Requires indices below points.size() and eight distinct ones for each hexahedron.
-/// Cost: that of sorting six quads for each hexahedron.
+/// Cost: that of sorting six quads for each hexahedron, and where a part has next to no volume some
+/// microseconds for each of its boundary quads.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "meshing/mesh/mesh.hpp"
+#include "realize/exact/sign.hpp"
 
 namespace hexatlas::hexahedrize {
 
@@ -27,14 +31,16 @@ namespace hexatlas::hexahedrize {
 /// or a part has no boundary.
 [[nodiscard]] std::optional<std::string> fault_of_sides(const mesh::HexMesh& mesh);
 
+/// The sign of the volume that a closed surface of quads encloses. A quad need not be planar: it is
+/// cut along either diagonal, which gives twice the volume under the bilinear patch. Exact.
+[[nodiscard]] exact::Sign sign_of_volume(std::span<const std::array<mesh::Point, 4>> quads);
+
 /// Hexahedra that are joined by quads.
 struct Part {
   std::vector<std::size_t> cells;  ///< ascending
   std::size_t boundary_quads = 0;  ///< quads that only one hexahedron has
-  /// Within these, each cut in two triangles, in units of the cube of their greatest extent:
-  /// negative where the hexahedra are inside out. In double precision, at any scale of the
-  /// coordinates.
-  double volume = 0;
+  /// Of the volume within these, bilinear patches: negative where the hexahedra are inside out.
+  exact::Sign side = exact::Sign::zero;
 };
 
 /// By their first cells.

@@ -170,6 +170,7 @@ std::optional<BrokenLaw> TetGraph::glue(const Colours& colours) {
         across_[sides[0].owner] = sides[1].owner / 4;
         across_[sides[1].owner] = sides[0].owner / 4;
       }
+      if (sides.empty()) ignored_triangles_ += end - facets;
       if (facets < end)
         for (const Side& side : sides)
           colours_[side.owner] = std::uint64_t{1} + colours.colours[row[facets].owner];

@@ -60,6 +60,9 @@ class TetGraph {
     return colours_.empty() ? 0 : colours_[std::size_t{t} * 4 + facet];
   }
 
+  /// Coloured triangles that are no facet of a tetrahedron.
+  [[nodiscard]] std::size_t ignored_triangles() const noexcept { return ignored_triangles_; }
+
   /// The tetrahedra at a vertex, ascending.
   [[nodiscard]] std::span<const TetIndex> star(Index v) const noexcept {
     return row(star_, star_start_, v);
@@ -94,6 +97,7 @@ class TetGraph {
   std::vector<TetIndex> across_;
   std::span<const std::uint32_t> regions_;
   std::vector<std::uint64_t> colours_;
+  std::size_t ignored_triangles_ = 0;
   std::vector<std::size_t> star_start_;
   std::vector<TetIndex> star_;
   std::vector<std::size_t> neighbours_start_;

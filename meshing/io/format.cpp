@@ -16,10 +16,12 @@ constexpr std::array kFormats{FileFormat::obj,   FileFormat::off,  FileFormat::v
                               FileFormat::ply,   FileFormat::hxtet};
 
 /// "(known: .obj .off)" of the formats with this content, or of all.
-std::string known_extensions(std::optional<Content> content) {
+/// Where there is no name, one tells a format by its first bytes, which a .bin does not have.
+std::string known_extensions(std::optional<Content> content, bool is_by_name = true) {
   std::string list;
   for (const FileFormat format : kFormats) {
     if (content && !holds(format, *content)) continue;
+    if (!is_by_name && format == FileFormat::raw) continue;
     list += list.empty() ? "(known: " : " ";
     list += extension_of(format);
   }
@@ -142,7 +144,8 @@ FileFormat detect_format(std::string_view bytes, const std::string& file,
     if (is_obj_keyword(first)) return FileFormat::obj;
     if (is_number(first)) return FileFormat::xyz;
   }
-  throw core::InvalidInput(file, "begins like no known mesh format " + known_extensions(content));
+  throw core::InvalidInput(file,
+                           "begins like no known mesh format " + known_extensions(content, false));
 }
 
 }  // namespace hexatlas::io

@@ -55,9 +55,20 @@ void read_whole(std::string_view bytes, MeshBuilder& builder) {
   read_coordinates<kNumbers>(bytes, builder);
 }
 
+/// Of old programs: all would be one line.
+void refuse_carriage_returns(std::string_view bytes, const std::string& file) {
+  for (auto at = bytes.find('\r'); at != bytes.npos; at = bytes.find('\r', at + 1)) {
+    if (at + 1 == bytes.size() || bytes[at + 1] == '\n') continue;
+    const auto before = bytes.substr(0, at);
+    const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+    throw core::InvalidInput(file, line, "a carriage return that ends no line; use line feeds");
+  }
+}
+
 }  // namespace
 
 void read_xyz(std::string_view bytes, MeshBuilder& builder) {
+  refuse_carriage_returns(bytes, builder.file());
   constexpr std::size_t kLeastLine = 6;  // "0 0 0" and the end of the line
   const std::size_t columns = wants_weights(builder) ? 4 : 3;
   Scanner scanner(bytes, builder.file(), '#');

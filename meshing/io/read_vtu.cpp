@@ -155,8 +155,7 @@ class VtuReader {
     if (version != "0.1" && version != "1.0" && !version.starts_with("2."))
       fail(line, "unsupported version " + in_quotes(version));
     if (!is("byte_order", "LittleEndian", "LittleEndian"))
-      fail(line, "byte order " + in_quotes(root.attribute("byte_order").as_string()) +
-                     "; LittleEndian is expected");
+      other_byte_order_ = root.attribute("byte_order").as_string();
     const bool is_wide = is("header_type", "UInt64", "UInt32");
     if (!is_wide && !is("header_type", "UInt32", "UInt32"))
       fail(line, "unknown header_type " + in_quotes(root.attribute("header_type").as_string()));
@@ -210,6 +209,8 @@ class VtuReader {
       read_ascii(node, array);
     } else {
       const Place place{file_, array.line};
+      if (!other_byte_order_.empty())
+        place.fail("byte order " + in_quotes(other_byte_order_) + "; LittleEndian is expected");
       std::string bytes;
       if (format == "binary") {
         bytes = decode_array(text_of(node), {true, is_compressed_, header_bytes_}, place);
@@ -347,6 +348,7 @@ class VtuReader {
   std::size_t decoded_bytes_ = 0;
   std::size_t header_bytes_ = 4;
   bool is_compressed_ = false;
+  std::string other_byte_order_;  ///< than little-endian: of no meaning in text
   bool is_appended_base64_ = true;
   std::size_t line_offset_ = 0;  ///< line_ is the line of this offset
   std::size_t line_ = 1;

@@ -111,8 +111,9 @@ void KnownBalls::search(const canon::Code& code, int hexahedra, Family& family) 
 
 void KnownBalls::add(const canon::Code& code, Ball ball, std::uint64_t turn) {
   if (ball.hexahedra() < 2) return;
-  Family& family = families_[code];
-  std::vector<Ball>& balls = family.balls;
+  // Where nothing more is kept, no family is either.
+  if (seen_hexahedra_ >= kMaxSeenHexahedra && !families_.contains(code)) return;
+  std::vector<Ball>& balls = families_[code].balls;
   int least = ball.hexahedra();
   for (const Ball& known : balls) {
     if (known.shape == ball.shape) return;

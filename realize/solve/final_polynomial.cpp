@@ -126,20 +126,20 @@ std::optional<std::vector<std::size_t>> propose_contradiction(
   return contradiction;
 }
 
-/// The rational numbers as coprime integers in the same proportion.
-std::vector<std::int64_t> scaled_to_integers(
+/// The rational numbers, not negative, as coprime integers in the same proportion; nullopt if they
+/// exceed kGreatestWeight, or nearly so.
+std::optional<std::vector<std::int64_t>> scaled_to_integers(
     const std::vector<std::pair<std::int64_t, std::int64_t>>& fractions) {
   std::int64_t denominator = 1;
   for (const auto& [above, below] : fractions) {
+    if (below > kGreatestWeight) return std::nullopt;
     denominator = std::lcm(denominator, below);
-    if (denominator <= 0 || denominator > kGreatestWeight)
-      throw core::ResourceFailure("weights of a final polynomial exceed 2^31");
+    if (denominator > kGreatestWeight) return std::nullopt;
   }
   std::vector<std::int64_t> integers;
   std::int64_t divisor = 0;
   for (const auto& [above, below] : fractions) {
-    if (above > kGreatestWeight / (denominator / below))
-      throw core::ResourceFailure("weights of a final polynomial exceed 2^31");
+    if (above > kGreatestWeight / (denominator / below)) return std::nullopt;
     integers.push_back(above * (denominator / below));
     divisor = std::gcd(divisor, integers.back());
   }
@@ -176,7 +176,7 @@ std::optional<std::vector<std::int64_t>> cancelling_weights(
   for (const z3::expr& unknown : weight) {
     auto& [above, below] = fractions.emplace_back();
     if (!Z3_get_numeral_small(context, model.eval(unknown, true), &above, &below))
-      throw core::ResourceFailure("weights of a final polynomial exceed 2^31");
+      return std::nullopt;
   }
   return scaled_to_integers(fractions);
 }

@@ -59,8 +59,8 @@ BoundOutcome raise_bound(format::TableRow& row, const BoundOptions& options) {
       outcome.change = Change::replaced;
       return outcome;
     }
-    outcome.is_cut = frontier->found.empty() && !frontier->is_finished();
-    if (!frontier->found.empty() || outcome.is_cut) break;
+    outcome.is_cut = !frontier->found.empty() || !frontier->is_finished();
+    if (outcome.is_cut) break;
     nodes -= std::min(nodes, frontier->counts.nodes);
     ++row.lower_bound;
     outcome.change = Change::raised;

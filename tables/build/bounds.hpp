@@ -33,7 +33,8 @@ struct BoundOutcome {
     replaced  ///< there is a smaller mesh, which is the row's now; the bound is its size
   };
   Change change = Change::none;
-  bool is_cut = false;  ///< stopped, or the nodes were spent: with more the bound might be greater
+  /// Stopped, or the nodes were spent, or a mesh may be a ball or not: the bound might be greater.
+  bool is_cut = false;
 };
 
 /// Raises the bound of a row, one number of hexahedra after the other: each is excluded by a search

@@ -41,7 +41,8 @@ using Database = std::unique_ptr<sqlite3, Close>;
 /// the content of the file that was read.
 [[noreturn]] void refuse(int error, const std::string& path) {
   const std::string reason = sqlite3_errstr(error);
-  if ((error & 0xFF) == SQLITE_NOMEM || (error & 0xFF) == SQLITE_FULL)
+  if ((error & 0xFF) == SQLITE_NOMEM || (error & 0xFF) == SQLITE_FULL ||
+      error == SQLITE_IOERR_NOMEM)
     throw core::ResourceFailure(path + ": SQLite: " + reason);
   throw core::InvalidInput(path, "is not a census, or damaged: SQLite says: " + reason);
 }
@@ -67,11 +68,11 @@ class Statement {
     if (error != SQLITE_OK) refuse(error, path_);
   }
 
-  void bind(int place, int value) { sqlite3_bind_int(statement_.get(), place, value); }
+  void bind(int place, int value) { expect_done(sqlite3_bind_int(statement_.get(), place, value)); }
   /// The text must outlive the step.
   void bind(int place, const std::string& text) {
-    sqlite3_bind_text(statement_.get(), place, text.data(), static_cast<int>(text.size()),
-                      SQLITE_STATIC);
+    expect_done(sqlite3_bind_text(statement_.get(), place, text.data(),
+                                  static_cast<int>(text.size()), SQLITE_STATIC));
   }
 
   /// Whether there is a row; at the end the statement may be bound anew.
@@ -86,11 +87,22 @@ class Statement {
   [[nodiscard]] std::string text(int column) {
     const unsigned char* const bytes = sqlite3_column_text(statement_.get(), column);
     const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column));
+    if (bytes == nullptr) expect_memory();
     return bytes == nullptr ? "" : std::string(bytes, bytes + size);
   }
   [[nodiscard]] int number(int column) { return sqlite3_column_int(statement_.get(), column); }
 
+  /// Some functions do not return that memory is short.
+  void expect_memory() const {
+    const int error = sqlite3_extended_errcode(sqlite3_db_handle(statement_.get()));
+    if ((error & 0xFF) == SQLITE_NOMEM || error == SQLITE_IOERR_NOMEM) refuse(error, path_);
+  }
+
  private:
+  void expect_done(int result) const {
+    if (result != SQLITE_OK) refuse(result, path_);
+  }
+
   std::unique_ptr<sqlite3_stmt, Close> statement_;
   const std::string& path_;
 };
@@ -163,8 +175,12 @@ void expect_census(sqlite3* database, const std::string& path) {
   if (!std::equal(tables.begin(), tables.end(), kTables.begin(), kTables.end()))
     throw core::InvalidInput(path, "is not a census: it has other tables");
   Statement integrity(database, "PRAGMA integrity_check(1)", path);
-  if (!integrity.step() || integrity.text(0) != "ok")
-    throw core::InvalidInput(path, "is damaged: the database is inconsistent");
+  const std::string told = integrity.step() ? integrity.text(0) : "";
+  if (told == "ok") return;
+  integrity.expect_memory();
+  // It may be told as any other finding, with no error.
+  if (told.find("out of memory") != std::string::npos) refuse(SQLITE_NOMEM, path);
+  throw core::InvalidInput(path, "is damaged: the database is inconsistent");
 }
 
 }  // namespace

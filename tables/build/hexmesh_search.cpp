@@ -1,5 +1,6 @@
 #include "tables/build/hexmesh_search.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
@@ -101,10 +102,17 @@ std::string line_of(const hexes::Hexmesh& found) {
   return text + "\n";
 }
 
-hexes::Hexmesh mesh_from(Lines& lines) {
-  const auto values = lines.numbers_after("mesh", hexes::kMaxMeshVertices);
+/// A mesh of the search whose boundary has so many symmetries.
+hexes::Hexmesh mesh_from(Lines& lines, const HexmeshTask& task, std::uint64_t symmetries) {
+  const auto values =
+      lines.numbers_after("mesh", std::max<std::uint64_t>(hexes::kMaxMeshVertices, symmetries));
   if (values.size() < 3 || (values.size() - 3) % 8 != 0 || values[2] > 2)
     lines.fail("a mesh has vertices, automorphisms, topology and eight numbers per hexahedron");
+  const auto least = static_cast<std::uint64_t>(task.boundary.vertices());
+  if (values[0] < least || values[0] > hexes::kMaxMeshVertices || values[1] == 0 ||
+      symmetries % values[1] != 0 ||
+      std::any_of(values.begin() + 3, values.end(), [&](auto v) { return v >= values[0]; }))
+    lines.fail("no mesh of this search");
   hexes::Hexmesh found;
   found.mesh.vertices = static_cast<std::uint32_t>(values[0]);
   found.automorphisms = static_cast<int>(values[1]);
@@ -164,8 +172,10 @@ hexes::HexFrontier frontier_from(std::string_view text, const HexmeshTask& task,
   hexes::HexFrontier frontier;
   frontier.counts.nodes = lines.number_after("nodes");
   frontier.counts.solutions = lines.number_after("met");
+  const auto symmetries =
+      static_cast<std::uint64_t>(canon::canonical_form(task.boundary).automorphisms);
   for (auto left = lines.number_after("meshes"); left > 0; --left)
-    frontier.found.push_back(mesh_from(lines));
+    frontier.found.push_back(mesh_from(lines, task, symmetries));
   frontier.pending.clear();
   hexes::SearchLimits limits = task.limits;
   limits.up_to_symmetry = true;

@@ -22,16 +22,21 @@ Finding check_used(const Incidence& incidence, const std::vector<bool>& may_be_u
 enum class BallProof : std::uint8_t { none, collapse, shelling };
 
 /// A mesh may be listed such that it can be taken off in this order down to a small rest, for which
-/// a proof is found sooner. The rest may be no manifold; then less may have to be taken off.
+/// a proof is found sooner. The rest may be no manifold; then less may have to be taken off. Of
+/// rests that obey all laws, and for which there is none, no more are tried: the whole is still to
+/// come.
 BallProof proof_by_rest(const Incidence& incidence) {
   constexpr std::uint32_t kPutBack = 64;
+  constexpr int kRests = 2;
   const std::uint32_t listed = listed_removals(incidence);
+  int rests = 0;
   for (std::uint32_t back = 0; back < std::min(listed, kPutBack); ++back) {
     const auto cells = incidence.cells.subspan(listed - back);
     const Incidence rest = incidence_of(cells, incidence.vertex_count);
     if (check_connected(rest) || check_links(rest) || check_boundary_sphere(rest)) continue;
     if (find_shelling(rest)) return BallProof::shelling;
     if (find_collapse(rest)) return BallProof::collapse;
+    if (++rests == kRests) break;
   }
   return BallProof::none;
 }

@@ -11,7 +11,7 @@
 ///
 /// Sources: the strict rule of K. Verhetsel, J. Pellerin, J.-F. Remacle, Finding hexahedrizations
 /// for small quadrangulations of the sphere, 2019; links and shellings as in the theory of
-/// 3-manifolds. Cost: O(H * degree), and at worst 30 greedy searches for a proof of ball.
+/// 3-manifolds. Cost: O(H * degree), and at worst 90 greedy searches for a proof of ball.
 /// Not promised: that every ball is accepted (see ball.hpp; then `undecided` is set); anything
 /// about the shape of the hexahedra in space.
 

@@ -146,7 +146,9 @@ Draft parse_gmsh(const std::string& name, std::string_view bytes, Wanted wanted)
   in.expect("$MeshFormat");
   const std::string_view version = in.word();
   const bool blocks = version == "4.1";
-  if (!blocks && version != "2.2") in.fail("unknown version " + in_quotes(version));
+  if (!blocks && version != "2" && version != "2.1" && version != "2.2")
+    in.fail("unknown version " + in_quotes(version));
+  if (in.peek() == "1") in.fail("a binary file; save it as ASCII");
   in.expect("0");
   in.expect("8");
   in.expect("$EndMeshFormat");

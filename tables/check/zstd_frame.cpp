@@ -1,6 +1,7 @@
 #include "tables/check/zstd_frame.hpp"
 
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include <memory>
 #include <new>
@@ -15,6 +16,13 @@ constexpr std::string_view kMagic = "\x28\xB5\x2F\xFD";
 struct FreeContext {
   void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
 };
+
+/// Whether the library refused the bytes; memory that is short is no fault of theirs.
+bool is_refused(std::size_t result) {
+  if (ZSTD_isError(result) == 0) return false;
+  if (ZSTD_getErrorCode(result) == ZSTD_error_memory_allocation) throw std::bad_alloc();
+  return true;
+}
 
 }  // namespace
 
@@ -33,7 +41,7 @@ bool unpack_frame(std::string_view stored, std::uint64_t most, std::string& byte
   for (std::size_t left = 1; left != 0;) {
     ZSTD_outBuffer out{buffer.data(), buffer.size(), 0};
     left = ZSTD_decompressStream(context.get(), &out, &in);
-    if (ZSTD_isError(left) != 0 || out.pos > room) return false;
+    if (is_refused(left) || out.pos > room) return false;
     room -= out.pos;
     bytes.append(buffer.data(), out.pos);
     if (left != 0 && out.pos == 0 && in.pos == in.size) return false;
@@ -50,7 +58,7 @@ std::string start_of_frame(std::string_view stored, std::size_t most) {
   for (std::size_t left = 1; left != 0 && out.pos < most;) {
     const std::size_t done = in.pos + out.pos;
     left = ZSTD_decompressStream(context.get(), &out, &in);
-    if (ZSTD_isError(left) != 0 || in.pos + out.pos == done) break;
+    if (is_refused(left) || in.pos + out.pos == done) break;
   }
   bytes.resize(out.pos);
   return bytes;

@@ -25,8 +25,7 @@ std::string decompressed(std::string_view bytes, const std::string& file) {
   if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN || size > kMaxText)
     throw core::InvalidInput(file, "no zstd frame of a known size up to 1 GiB");
   std::string text(size, '\0');
-  if (ZSTD_decompress(text.data(), text.size(), bytes.data(), bytes.size()) != size)
-    throw core::InvalidInput(file, "the zstd frame is damaged");
+  if (!is_unpacked(bytes, text)) throw core::InvalidInput(file, "the zstd frame is damaged");
   return text;
 }
 

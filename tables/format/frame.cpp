@@ -1,6 +1,9 @@
 #include "tables/format/frame.hpp"
 
 #include <zstd.h>
+#include <zstd_errors.h>
+
+#include <new>
 
 #include "enum/core/errors.hpp"
 
@@ -15,6 +18,13 @@ std::string compressed(std::string_view bytes) {
     throw core::ResourceFailure(std::string("zstd: ") + ZSTD_getErrorName(size));
   frame.resize(size);
   return frame;
+}
+
+bool is_unpacked(std::string_view frame, std::string& bytes) {
+  const std::size_t size = ZSTD_decompress(bytes.data(), bytes.size(), frame.data(), frame.size());
+  if (ZSTD_isError(size) == 0) return size == bytes.size();
+  if (ZSTD_getErrorCode(size) == ZSTD_error_memory_allocation) throw std::bad_alloc();
+  return false;
 }
 
 bool is_compressed(std::string_view bytes) noexcept {

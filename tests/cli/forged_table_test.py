@@ -12,6 +12,7 @@ import struct
 
 import program
 
+SHIPPED = os.path.join(program.REPOSITORY, "tables", "data", "hexatlas.hxt")
 CUBE = os.path.join(program.INPUTS, "cube.obj")
 KEY = bytes.fromhex("08a5df")
 SPINDLE = bytes.fromhex("088a577f")
@@ -70,6 +71,23 @@ class ForgedTableTest(program.ProgramTest):
                       ("mesh", "boundary", "cube", "--table", "forged.hxt", "-o", "out.vtk")):
             self.expect_fault(self.hexatlas(*words), "forged.hxt")
         self.assertEqual(self.listing(), ["forged.hxt"])
+
+    def test_bounds_go_on_with_no_such_mesh(self):
+        """What lies at -o is read as well."""
+        self.expect(0, self.hexatlas("table", "build", "-o", "small.hxt", "--max-quads", "8", "--start-from",
+                                     SHIPPED, "--width", "10", "--rounds", "1", "--growths", "0", "--cut", "0",
+                                     "--collared", "0", "--symmetric", "0", "--max-hexahedra", "1"))
+        two = [list(range(8)), [4, 5, 6, 7, 8, 9, 0, 1]]
+        self.write("forged.hxt", table(two, 0, SPINDLE))
+        self.expect_fault(self.hexatlas("table", "bounds", "small.hxt", "-o", "forged.hxt", "--max-hexes", "2"),
+                          "forged.hxt")
+        self.write("forged.hxt", b"hexatlas, but no table")
+        ran = self.hexatlas("table", "bounds", "small.hxt", "-o", "forged.hxt", "--max-hexes", "2")
+        self.expect_fault(ran, "forged.hxt")
+        self.write("forged.hxt", b"something else")
+        ran = self.expect(0, self.hexatlas("table", "bounds", "small.hxt", "-o", "forged.hxt", "--max-hexes", "2"))
+        self.assertIn("note: forged.hxt: ", ran.err)
+        self.assertIn("; it will be replaced\n", ran.err)
 
     def test_names_are_those_of_their_boundaries(self):
         cell = self.sound_cell()

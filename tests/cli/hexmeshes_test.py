@@ -6,6 +6,7 @@ rules of a mesh, read here from its quads.
 """
 import collections
 import itertools
+import hashlib
 import json
 import signal
 import subprocess
@@ -122,6 +123,18 @@ class Hexmeshes(program.ProgramTest):
         self.assertEqual(self.run_json(*saved), whole)  # nothing is left to do
         self.hexatlas_fails(3, "enum", "hexmeshes", PYRAMID, "--max-hexes", "14", "--ball",
                             "--state", "saved")
+
+    def test_a_saved_search_with_other_meshes_is_refused(self):
+        words = ("two-cubes", "--max-hexes", "4", "--ball", "--state", "saved")
+        self.run_json(*words)
+        lines = self.read("saved").decode().splitlines(keepends=True)
+        at = next(i for i, line in enumerate(lines) if line.startswith("mesh "))
+        vertices, automorphisms, *others = lines[at].split()[1:]
+        for changed in ([vertices, "0", *others], [vertices, "7", *others], ["11", automorphisms, *others],
+                        [vertices, automorphisms, *others[:-1], vertices]):
+            text = "".join([*lines[:at], " ".join(["mesh", *changed]) + "\n", *lines[at + 1:-1]])
+            self.write("saved", text + f"sha256 {hashlib.sha256(text.encode()).hexdigest()}\n")
+            self.hexatlas_fails(3, "enum", "hexmeshes", *words)
 
     def test_a_stopped_search_claims_nothing(self):
         with self.start(PYRAMID, "--max-hexes", "22", "--json") as search:

@@ -137,6 +137,14 @@ class Inputs(MeshTest):
                     self.expect(0, self.hexatlas("check", "out.vtk", "--boundary", "in." + key))
             self.assertEqual(len(counts), 1)
 
+    def test_stretched_surfaces(self):
+        """Whether a hexahedron is valid does not depend on it."""
+        points, quads = surfaces.read_obj(os.path.join(program.INPUTS, "schneiders-pyramid.obj"))
+        for x, y in program.share_of(((100, 1), (1, 1e-5), (1e6, 1e3), (1, -0.01))):
+            longer = [(repr(x * float(a)), repr(y * float(b) + x * float(a)), c) for a, b, c in points]
+            said = self.mesh_and_judge((longer, [quad[::-1] for quad in quads] if y < 0 else quads), "out.vtk")
+            self.assertEqual((said["valid"], said["hexahedra"]), (36, 36), (x, y))
+
     def test_same_bytes_again(self):
         surface = surfaces.read_obj(os.path.join(program.INPUTS, "schneiders-pyramid.obj"))
         for extension in program.share_of(OUTPUTS):

@@ -11,6 +11,7 @@ import pty
 import random
 
 import program
+import surfaces
 from hybrid_files import kuhn
 
 CHANCE = random.Random(20261122)
@@ -180,6 +181,25 @@ class MeshHybridTest(program.ProgramTest):
                    + "".join("f %d %d %d\n" % t for t in triangles))
         return "box.obj"
 
+    def test_a_point_inside_a_cell(self):
+        """A cube of twelve tetrahedra around its middle is a hexahedron, and the middle is in no cell."""
+        points, quads = surfaces.cube()
+        points = [tuple(map(float, p)) for p in points] + [(0.5, 0.5, 0.5)]
+        self.write("middle.mesh", medit(points, [(c[i], c[j], c[k], 8)
+                                                 for c in quads for i, j, k in ((0, 2, 1), (0, 3, 2))]))
+        made = json.loads(self.succeeds("mesh", "hybrid", "middle.mesh", "-o", "middle.vtu", "--json").out)
+        self.assertEqual((made["selected"]["hexahedra"], made["points_inside_cells"]), (1, 1))
+        said = self.succeeds("mesh", "hybrid", "middle.mesh", "-o", "middle.vtu").out
+        self.assertIn("1 point of the tetrahedra is inside a cell", said)
+        self.succeeds("check", "--hybrid", "middle.vtu", "--boundary", "middle.mesh")
+
+    def test_triangles_that_are_no_facets(self):
+        points, cells = kuhn(1)  # all facets have the first or the last vertex
+        self.write("across.mesh", medit(points, cells).replace(
+            "Tetrahedra", "Triangles\n2\n1 5 8 4\n5 3 2 7\nTetrahedra"))
+        ran = self.succeeds("mesh", "hybrid", "across.mesh", "-o", "across.vtk")
+        self.assertIn("note: 1 coloured triangle of across.mesh is no facet of a tetrahedron: ignored\n", ran.err)
+
     def test_lattice_inside_a_box(self):
         ran = self.succeeds("mesh", "hybrid", self.box((4, 3, 2)), "--fill", "lattice", "-o",
                             "box.vtu", "--json")
@@ -189,6 +209,19 @@ class MeshHybridTest(program.ProgramTest):
         self.assertEqual(made["lattice"]["points"], 6)
         self.assertEqual(made["lattice"]["spacing"], 1)
         self.succeeds("check", "--hybrid", "box.vtu")
+        # A thin box with diagonals by chance.
+        points, quads = surfaces.block(6, 6, 1)
+        chance, halves = random.Random(3), []
+        for a, b, c, d in quads:
+            halves += [[a, b, c], [a, c, d]] if chance.random() < 0.5 else [[b, c, d], [b, d, a]]
+        self.write("thin.obj", surfaces.obj(points, halves))
+        made = json.loads(self.succeeds("mesh", "hybrid", "thin.obj", "--fill", "lattice", "-o", "thin.vtu", "--json").out)
+        self.assertGreater(made["lattice"]["exchanged_diagonals"], 0)
+        said = self.succeeds("mesh", "hybrid", "thin.obj", "--fill", "lattice", "-o", "thin.vtu").out
+        self.assertIn(f"by {made['lattice']['exchanged_diagonals']} exchange", said)
+        kept = json.loads(self.succeeds("mesh", "hybrid", "thin.obj", "--fill", "lattice", "-o", "thin.vtu", "--json",
+                                        "--keep-diagonals").out)
+        self.assertEqual(kept["lattice"]["exchanged_diagonals"], 0)
         ran = self.hexatlas("mesh", "hybrid", self.box((2, 2, 2), cut=True), "--fill", "lattice",
                             "-o", "open.vtu")
         self.expect_fault(ran, "box.obj")

@@ -81,6 +81,13 @@ class Flips(MeshTest):
         self.flip(surface, "flips.vtk", "--method", "flips")
         self.assertEqual(self.read("auto.vtk"), self.read("flips.vtk"))
 
+    def test_is_what_auto_takes_where_zones_go_through_a_gap(self):
+        surface = surfaces.of_cubes({(x, y, 0) for x in range(3) for y in range(3)} - {(1, 1, 0), (1, 2, 0)})
+        said = self.mesh_and_judge(surface, "out.vtk")
+        self.assertEqual((said["method"], said["hexahedra"], said["valid"]), ("flips", 7, 7))
+        zones = self.mesh_and_judge(surface, "out.vtk", "--method", "zones")
+        self.assertLess(zones["valid"], zones["hexahedra"])
+
     def test_same_bytes_for_any_number_of_threads(self):
         surface = surfaces.random_surface(QUADS, 1)
         for threads in ("1", "2", "5"):

@@ -15,8 +15,8 @@ import hex_files
 import program
 import surfaces
 
-KEYS = {"before", "after", "interior_vertices", "exchanges", "seconds", "min_scaled_jacobian", "valid", "inverted",
-        "histogram"}
+KEYS = {"before", "after", "interior_vertices", "exchanges", "seconds", "min_scaled_jacobian", "mean_scaled_jacobian", "valid", "inverted",
+        "histogram", "quality_before"}
 INPUTS = ("two-cubes", "rhombic-dodecahedron", "trapezohedron-4", "schneiders-pyramid", "three-cubes-l")
 
 

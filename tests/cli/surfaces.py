@@ -4,6 +4,7 @@ A surface is (points, quads): points are triples of words, quads are lists of ve
 vertex that is a word (str) is written as it stands, in formats that count from 1 as well, so that
 damage can be put at any place of any format.
 """
+import itertools
 import math
 import random
 
@@ -16,25 +17,30 @@ def cube():
     return list(CUBE_POINTS), [list(quad) for quad in CUBE_QUADS]
 
 
+def of_cubes(cubes):
+    """The surface of unit cubes at these places, from outside."""
+    number, quads = {}, []
+    for cube in sorted(cubes):
+        for axis in range(3):
+            for side in (0, 1):
+                beyond = list(cube)
+                beyond[axis] += 2 * side - 1
+                if tuple(beyond) in cubes:
+                    continue
+                corners = []
+                for a, b in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                    place = list(cube)
+                    place[axis] += side
+                    place[(axis + 1) % 3] += a
+                    place[(axis + 2) % 3] += b
+                    corners.append(number.setdefault(tuple(place), len(number)))
+                quads.append(corners if side else corners[::-1])
+    return [tuple(map(str, place)) for place in number], quads
+
+
 def block(*cubes):
     """The surface of a block of so many unit cubes along each axis, from outside."""
-    number, quads = {}, []
-
-    def vertex(*place):
-        return number.setdefault(place, len(number))
-
-    for axis in range(3):
-        along, across = (axis + 1) % 3, (axis + 2) % 3
-        for side in (0, cubes[axis]):
-            for i in range(cubes[along]):
-                for j in range(cubes[across]):
-                    corners = []
-                    for a, b in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
-                        place = [0, 0, 0]
-                        place[axis], place[along], place[across] = side, a, b
-                        corners.append(vertex(*place))
-                    quads.append(corners if side else corners[::-1])
-    return [tuple(map(str, place)) for place in number], quads
+    return of_cubes(set(itertools.product(*map(range, cubes))))
 
 
 def grid_cube(n):

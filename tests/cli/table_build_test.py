@@ -74,6 +74,17 @@ class Build(program.ProgramTest):
             return {code: (*row, json.loads(self.expect(0, self.hexatlas(
                 "table", "get", "--table", name, "--code", code)).out)["cells"]) for code, *row in rows}
 
+    def test_dates_are_read_before_the_search(self):
+        for date in ("yesterday", "-1", "1e9", "253402300800", "9223372036854775808"):
+            ran = self.hexatlas("table", "build", "-o", "a.hxt", *SMALL, env={"SOURCE_DATE_EPOCH": date})
+            self.expect_fault(ran, "SOURCE_DATE_EPOCH")
+        self.assertEqual(self.listing(), [])
+
+    def test_a_saved_search_does_not_begin_anew(self):
+        self.build("a.hxt", "--state", "a.state")
+        ran = self.build("a.hxt", "--state", "a.state", "--start-from", "a.hxt")
+        self.assertIn("note: a.state goes on with what it has", ran.err)
+
     def test_of_equal_meshes_those_of_the_first_table_stay(self):
         # The search finds most of these small meshes itself, in an order of its own.
         small = ("--max-quads", "12", *QUICK[4:], "--width", "1000", "--max-hexahedra", "6")

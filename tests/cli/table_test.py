@@ -84,6 +84,25 @@ class Read(TableTest, MeshTest):
                                                "two-cubes", "-o", "mesh.json"))
         self.assertEqual((to_file.out, self.read("mesh.json").decode()), ("", by_name.out))
 
+    def test_a_table_is_not_lost(self):
+        """Nor what lies beside it."""
+        os.symlink("small.hxt", self.path("link.hxt"))
+        before = {name: self.read(name) for name in self.listing()}
+        for name in ("small.hxt", "./small.hxt", "link.hxt", "small.manifest.json", "small.census.sqlite"):
+            for words in (("list", "small.hxt", "-o", name),
+                          ("get", "--name", "cube", "--table", "small.hxt", "-o", name),
+                          ("info", "small.hxt", "--by", "quads", "--svg", name)):
+                ran = self.expect(2, self.hexatlas("table", *words))
+                self.assertRegex(ran.err, r" are the same file\. See `hexatlas table [a-z]+ --help`\.\n\Z")
+        self.assertEqual({name: self.read(name) for name in self.listing()}, before)
+
+    def test_a_table_on_standard_input(self):
+        for words in (("list", "-"), ("info", "-"), ("get", "--name", "cube", "--table", "-")):
+            ran = self.expect(0, self.hexatlas("table", *words, stdin=self.good))
+            same = self.expect(0, self.hexatlas("table", *[word.replace("-", "small.hxt") if word == "-" else word
+                                                           for word in words]))
+            self.assertEqual(ran.out, same.out.replace("small.hxt", "standard input"))
+
     def test_words_of_other_flags_are_refused_with_the_code(self):
         quads = stacked_cubes()
         code = reference_code.code(quads)

@@ -88,6 +88,18 @@ TEST(Pool, ShardsAddUp) {
   }
 }
 
+TEST(Pool, ShardsAreOfLikeSize) {
+  const auto big = [] { return Queens{11}; };
+  Queens queens = big();
+  const auto all = search::explore(queens, {}, {}, [](const Queens&) { return true; }).counts.nodes;
+  for (std::size_t part = 0; part < 7; ++part) {
+    auto frontier = search::shard<Rows>(part, 7, big, collect);
+    search::explore_pending(frontier, {}, big, collect, {});
+    EXPECT_GT(frontier.counts.nodes, all / 14);
+    EXPECT_LT(frontier.counts.nodes, all / 4);
+  }
+}
+
 TEST(Estimate, ComesNear) {
   const auto big = [] { return Queens{12}; };
   Queens queens = big();

@@ -40,19 +40,42 @@ TEST(Sides, OfLattices) {
     const auto is_interior = hexahedrize::interior_points(mesh);
     EXPECT_EQ(std::count(is_interior.begin(), is_interior.end(), 1), (n - 1) * (n - 1) * (n - 1));
     ASSERT_EQ(hexahedrize::parts_of(mesh).size(), 1U);
-    EXPECT_NEAR(hexahedrize::parts_of(mesh)[0].volume, 1, 1e-9);
+    EXPECT_EQ(hexahedrize::parts_of(mesh)[0].side, exact::Sign::positive);
     EXPECT_EQ(hexahedrize::parts_of(mesh)[0].boundary_quads, 6 * n * n);
     for (auto& cell : mesh.hexahedra) cells::exchange_axes(cell);
     EXPECT_EQ(hexahedrize::fault_of_sides(mesh), std::nullopt);
-    EXPECT_NEAR(hexahedrize::parts_of(mesh)[0].volume, -1, 1e-9);
+    EXPECT_EQ(hexahedrize::parts_of(mesh)[0].side, exact::Sign::negative);
     for (const double scale : {1e-300, 1e300}) {
       mesh::HexMesh scaled = mesh;
       for (mesh::Point& p : scaled.points) p = {scale * p.x, scale * p.y, scale * p.z};
-      EXPECT_NEAR(hexahedrize::parts_of(scaled)[0].volume, -1, 1e-9);
+      EXPECT_EQ(hexahedrize::parts_of(scaled)[0].side, exact::Sign::negative);
     }
     mesh.points.push_back({});
     EXPECT_EQ(hexahedrize::points_of_cells(mesh).back(), 0);
     EXPECT_EQ(hexahedrize::interior_points(mesh).back(), 0);
+  }
+}
+
+TEST(Sides, OfSlenderAndFlatCells) {
+  std::mt19937_64 random(4);
+  mesh::HexMesh mesh = lattice(1, random);
+  mesh.points.assign(8, {});
+  const auto side_with = [&](double y, double z) {
+    for (unsigned i = 0; i < 8; ++i)
+      mesh.points[i] = {i % 2 != 0 ? 1.0 : 0.0, i / 2 % 2 != 0 ? y : 0.0, i / 4 != 0 ? z : 0.0};
+    return hexahedrize::parts_of(mesh)[0].side;
+  };
+  for (const double width : {1e-5, 1e-8, 1e-15, 1e-150, 1e-300}) {
+    EXPECT_EQ(side_with(width, width), exact::Sign::positive);
+    EXPECT_EQ(side_with(width, -width), exact::Sign::negative);
+    EXPECT_EQ(side_with(width, 0), exact::Sign::zero);
+  }
+  // The cell (0, 0, 0) and (1, 1, 1) but for one vertex: half a bit inside out or not.
+  for (const double lift : {0x1p-60, -0x1p-60}) {
+    (void)side_with(1, 0);
+    mesh.points[7].z = lift;
+    EXPECT_EQ(hexahedrize::parts_of(mesh)[0].side,
+              lift > 0 ? exact::Sign::positive : exact::Sign::negative);
   }
 }
 
@@ -71,8 +94,8 @@ TEST(Sides, PartsAreToldApart) {
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0].cells.size(), 8U);
   EXPECT_EQ(parts[1].cells.size(), 27U);
-  EXPECT_NEAR(parts[0].volume, 1, 1e-9);
-  EXPECT_NEAR(parts[1].volume, -1, 1e-9);
+  EXPECT_EQ(parts[0].side, exact::Sign::positive);
+  EXPECT_EQ(parts[1].side, exact::Sign::negative);
 }
 
 TEST(Sides, FaultsAreTold) {

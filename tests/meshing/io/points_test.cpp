@@ -104,6 +104,7 @@ TEST(Malformed, Xyz) {
       {xyz, "0 0 -inf\n", 1, "'-inf' is not a finite number"},
       {xyz, "0 0 1e400\n", 1, "outside the range of double precision"},
       {xyz, "1,2,3\n", 1, "line of 1 column;"},
+      {xyz, "0 0 0\n1 0 0\r0 1 0\r", 2, "carriage return that ends no line"},
       {xyz, "1, 2, 3\n", 1, "'1,' is not a number"},
       {xyz, "0 0 0\n0 0 0x1\n", 2, "'0x1' is not a number"},
       {xyz, std::string("0 0 0\n1 \0 2 3\n", 14), 2, "NUL byte"},

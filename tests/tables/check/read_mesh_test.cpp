@@ -342,7 +342,8 @@ TEST(ReadMesh, RefusesMalformedGmsh) {
     expect_malformed("a.msh", replaced(good, from, to), words);
   };
   const std::string old_style = examples::gmsh_22(sample());
-  bad(old_style, "2.2 0 8", "2.2 1 8", "expected '0'");
+  bad(old_style, "2.2 0 8", "2.2 1 8", "a binary file; save it as ASCII");
+  bad(old_style, "2.2 0 8", "2.2 2 8", "expected '0'");
   bad(old_style, "2.2", "3.0", "unknown version");
   bad(old_style, "\n2 ", "\n1 ", "zero or occurs twice");
   bad(old_style, "$EndNodes", "$EndNode", "expected '$EndNodes'");

@@ -140,7 +140,8 @@ TEST(Table, GivesBackItsClaim) {
     std::string bytes = format::table_bytes(rows, {}, 0);
     bytes[at] = 5;
     EXPECT_EQ(refusal(sealed(bytes)),
-              "small.hxt: is damaged: its claim of completeness is impossible");
+              at < 76 ? "small.hxt: is damaged: its claim of completeness is impossible"
+                      : "small.hxt: is damaged: its header has bytes that are not 0 where it must");
   }
 }
 
