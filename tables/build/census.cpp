@@ -178,9 +178,10 @@ void expect_census(sqlite3* database, const std::string& path) {
   const std::string told = integrity.step() ? integrity.text(0) : "";
   if (told == "ok") return;
   integrity.expect_memory();
-  // It may be told as any other finding, with no error.
-  if (told.find("out of memory") != std::string::npos) refuse(SQLITE_NOMEM, path);
-  throw core::InvalidInput(path, "is damaged: the database is inconsistent");
+  // It may be told as any other finding, with no error: by its words or by its number.
+  for (const char* const shortage : {"out of memory", "error code=7", "error code=3082"})
+    if (told.find(shortage) != std::string::npos) refuse(SQLITE_NOMEM, path);
+  throw core::InvalidInput(path, "is damaged: SQLite says: " + told);
 }
 
 }  // namespace
