@@ -97,7 +97,7 @@ void add_hexmeshes(CLI::App& parent, Action& action) {
       ->check(CLI::Range(0, hexes::kMaxMeshVertices));
   command->add_flag("--ball", options->ball,
                     "Balls only; otherwise any complex that obeys the strict rule");
-  command->add_flag("--first", options->first, "Stop at the first mesh");
+  auto* first = command->add_flag("--first", options->first, "Stop at the first mesh");
   auto* count = command->add_flag("--count")->description("Counts only; the default without -o");
   auto* output = command
                      ->add_option("-o,--output", options->output,
@@ -122,17 +122,20 @@ void add_hexmeshes(CLI::App& parent, Action& action) {
   auto* estimate = command->add_option("--estimate", options->probes,
                                        "Do not search: estimate the nodes by so many probes");
   estimate->check(CLI::Range(2, 1000000000));
-  for (auto* other : {output, shard, state, nodes, certificate}) estimate->excludes(other);
-  for (auto* other : {output, shard, state, nodes}) certificate->excludes(other);
-  command->add_option("--seed", options->seed, "Of the estimate")->capture_default_str();
+  for (auto* other : {output, shard, state, nodes, certificate, first}) estimate->excludes(other);
+  for (auto* other : {output, shard, state, nodes, first}) certificate->excludes(other);
+  command->add_option("--seed", options->seed, "Of the estimate")
+      ->capture_default_str()
+      ->needs(estimate);
   command->add_flag("--json", options->json, "Print one JSON object");
   add_threads(*command, options->threads);
   command->footer(
-      "Exit code 1 if a certificate is asked for and there is a mesh, 4 if the search did not "
-      "end.\n" +
+      "Exit code 1 if the boundary is proven to have no mesh, without a search, or if a "
+      "certificate\nis asked for and there is a mesh; 4 if the search did not end.\n" +
       example("hexatlas enum hexmeshes schneiders-pyramid --max-hexes 16 --ball "
               "--certificate pyramid-16.hxb"));
   command->callback([options, &action] {
+    if (options->state == "-") throw CLI::ValidationError("--state", "needs the name of a file");
     expect_different_files({"BOUNDARY", options->boundary},
                            {{"--output", options->output},
                             {"--certificate", options->certificate},

@@ -7,10 +7,12 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <variant>
 
 #include "cli/boundary_input.hpp"
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/mesh_output.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
 #include "enum/core/errors.hpp"
@@ -180,6 +182,9 @@ ExitCode write_certificate(const EnumHexmeshesOptions& options, const hexes::Sea
   if (log.has_found_a_mesh) {
     say(fmt::format("{}: there is a mesh with {}; nothing was written", result.input.code,
                     limits_text(result)));
+    nlohmann::ordered_json json = json_of_task(result);
+    json["outcome"] = "has_mesh";
+    if (options.json) print(to_line(json));
     return ExitCode::no;
   }
   if (!log.is_complete) {
@@ -188,6 +193,7 @@ ExitCode write_certificate(const EnumHexmeshesOptions& options, const hexes::Sea
   }
   const std::string bytes = build::bound_certificate(result.input.boundary, limits, log);
   core::write_file(options.certificate, bytes);
+  std::string text;
   if (options.json) {
     nlohmann::ordered_json json = json_of_task(result);
     json["classes"] = 0;
@@ -196,12 +202,13 @@ ExitCode write_certificate(const EnumHexmeshesOptions& options, const hexes::Sea
     json["exhaustive"] = true;
     json["records"] = log.records;
     json["bytes"] = bytes.size();
-    print(to_line(json));
+    text = to_line(json);
   } else {
-    print(fmt::format("{}: no {} with {}; {} records, {} bytes\n", options.certificate,
-                      limits.ball ? "ball" : "mesh", limits_text(result), log.records,
-                      bytes.size()));
+    text =
+        fmt::format("{}: no {} with {}; {} records, {} bytes\n", options.certificate,
+                    limits.ball ? "ball" : "mesh", limits_text(result), log.records, bytes.size());
   }
+  tell(options.certificate, text);
   return ExitCode::yes;
 }
 
@@ -271,9 +278,13 @@ build::HexmeshTask task_of(const EnumHexmeshesOptions& options, const NamedBound
 }  // namespace
 
 ExitCode enum_hexmeshes(const EnumHexmeshesOptions& options) {
-  const auto known = fillable_boundary_from(options.boundary);
-  if (!known) return ExitCode::no;
-  const NamedBoundary& input = *known;
+  const auto known = boundary_from(options.boundary);
+  if (const auto* none = std::get_if<Unfillable>(&known)) {
+    tell(MeshFiles{}, options.boundary, {"impossible", none->quads, none->reason, ""},
+         options.json);
+    return ExitCode::no;
+  }
+  const auto& input = std::get<NamedBoundary>(known);
   for (const std::string& file : {options.output, options.certificate, options.state})
     if (!file.empty()) core::expect_writable(file);
   const build::HexmeshTask task = task_of(options, input);
@@ -287,10 +298,7 @@ ExitCode enum_hexmeshes(const EnumHexmeshesOptions& options) {
   search(options, problem, result);
   if (!options.output.empty()) core::write_file(options.output, list_of(result));
   const std::string text = options.json ? to_line(json_of(result)) : report(result);
-  if (options.output == "-")
-    say_text(text);
-  else
-    print(text);
+  tell(options.output, text);
   if (result.frontier.is_finished() && (!task.limits.ball || undecided(result) == 0))
     return ExitCode::yes;
   if (options.first && !result.frontier.found.empty()) return ExitCode::yes;

@@ -130,10 +130,7 @@ ExitCode enum_quadrangulations(const EnumQuadrangulationsOptions& options) {
   if (!options.output.empty()) core::write_file(options.output, found.list);
   const std::string text =
       options.json ? json_line(options, found.sums) : report(options, found.sums);
-  if (options.output == "-")
-    say_text(text);
-  else
-    print(text);
+  tell(options.output, text);
   return ExitCode::yes;
 }
 

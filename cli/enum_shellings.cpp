@@ -80,10 +80,7 @@ ExitCode enum_shellings(const EnumShellingsOptions& options) {
                      shellings_text(census, parallel::threads_or_all(options.threads)));
   const std::string text =
       options.json ? json_line(options.hexahedra, census) : report(options.hexahedra, census);
-  if (options.output == "-")
-    say_text(text);
-  else
-    print(text);
+  tell(options.output, text);
   if (census.exhaustive) return ExitCode::yes;
   say(fmt::format("stopped; what is finished is complete up to {}{}",
                   counted(census.by_hexahedra.size(), "hexahedron", "hexahedra"),

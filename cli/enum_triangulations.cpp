@@ -130,10 +130,7 @@ ExitCode enum_triangulations(const EnumTriangulationsOptions& options) {
   }
   const std::string text = options.json ? json_line(input.name, options.interior, census)
                                         : report(input.name, options.interior, census);
-  if (options.output == "-")
-    say_text(text);
-  else
-    print(text);
+  tell(options.completeness == "-" ? options.completeness : options.output, text);
   if (census.exhaustive) return ExitCode::yes;
   if (options.through_spheres)
     say("that no 3-sphere is missing from the list is not proven");

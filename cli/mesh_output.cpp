@@ -201,13 +201,6 @@ ExitCode answer_for(const quality::Report& report, bool require_valid) {
   return ExitCode::undecided;
 }
 
-void tell(const std::string& output, const std::string& text) {
-  if (output == "-")
-    say_text(text);
-  else
-    print(text);
-}
-
 void tell(const MeshFiles& files, const std::string& text) {
   tell(files.report == "-" ? files.report : files.output, text);
 }

@@ -54,9 +54,7 @@ void write_facets(const std::string& output, const mesh::FacetMesh& mesh);
 void expect_hybrid_writable(const std::string& output);
 void write_hybrid(const std::string& output, const mesh::HybridMesh& mesh);
 
-/// Data. With the mesh on standard output they go to standard error.
-void tell(const std::string& output, const std::string& text);
-/// Likewise with the mesh or the report there.
+/// tell(), with the mesh or the report on standard output.
 void tell(const MeshFiles& files, const std::string& text);
 
 /// Why there is no mesh: a sentence on `name`, and with `json` an object that holds it. An empty

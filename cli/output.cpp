@@ -26,6 +26,13 @@ void say_text(std::string_view text) {
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }
 
+void tell(const std::string& output, std::string_view text) {
+  if (output == "-")
+    say_text(text);
+  else
+    print(text);
+}
+
 void say(std::string_view line) { say_text(fmt::format("hexatlas: {}\n", line)); }
 
 void say_fault(std::string_view line) {

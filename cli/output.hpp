@@ -17,6 +17,8 @@ namespace hexatlas::cli {
 
 /// Data. Throws ResourceFailure if it cannot be written.
 void print(std::string_view text);
+/// Data that come with an output; if that is on standard output ("-"), they go to standard error.
+void tell(const std::string& output, std::string_view text);
 /// One line; bytes that are not UTF-8, which names of files may hold, become U+FFFD.
 [[nodiscard]] std::string to_line(const nlohmann::ordered_json& json);
 using core::counted;

@@ -27,37 +27,43 @@ struct Input {
   bool is_compressed = false;  ///< then the output is so, too
 };
 
-/// What a catalogue says is kept and counted, so it is judged first.
-void expect_true(const std::string& bytes, const std::string& file) {
+/// What a catalogue says is kept and counted, so it is judged first. Whether it was; if not, it is
+/// said why.
+bool is_true(const std::string& bytes, const std::string& file) {
   try {
     const check::CatalogueVerdict verdict = check::check_catalogue_bytes(bytes, file);
-    if (!verdict.accepted && !verdict.undecided) throw core::InvalidInput(file, verdict.reason);
+    if (verdict.undecided)
+      say(fmt::format("{}: undecided: {}; what it says is not known to be true", file,
+                      verdict.reason));
+    else if (!verdict.accepted)
+      throw core::InvalidInput(file, verdict.reason);
+    return !verdict.undecided;
   } catch (const check::Malformed& error) {
     throw core::InvalidInput::as_told(error.what());
   }
 }
 
-/// CELL, CELL:NUMBER or a catalogue file.
-Input input_from(const std::string& input) {
+/// CELL, CELL:NUMBER or a catalogue file; none if that is not known to be true.
+std::optional<Input> input_from(const std::string& input) {
   const std::size_t colon = input.find(':');
   const std::string name = input.substr(0, colon);
   const auto cell = complex::cell_named(name);
   if (!cell) {
     const std::string bytes = core::read_file(input);
-    expect_true(bytes, input);
-    return {format::catalogue_from(bytes, input), format::is_compressed(bytes)};
+    if (!is_true(bytes, input)) return std::nullopt;
+    return Input{format::catalogue_from(bytes, input), format::is_compressed(bytes)};
   }
   const balls::CensusOptions options;
   format::Catalogue all =
       build::catalogue_of(*cell, name, options, balls::triangulations(*cell, options));
-  if (colon == std::string::npos) return {std::move(all)};
+  if (colon == std::string::npos) return Input{std::move(all)};
   std::size_t number = 0;
   const char* const last = input.data() + input.size();
   const auto [end, error] = std::from_chars(input.data() + colon + 1, last, number);
   if (error != std::errc{} || end != last || number == 0 || number > all.classes.size())
     throw core::InvalidInput(
         input, fmt::format("classes of the {} are numbered 1 to {}", name, all.classes.size()));
-  return {build::part_of(all, number)};
+  return Input{build::part_of(all, number)};
 }
 
 Condition condition_of(const RealizeOptions& options) {
@@ -69,7 +75,9 @@ Condition condition_of(const RealizeOptions& options) {
 
 ExitCode realize(const RealizeOptions& options) {
   if (!options.output.empty()) core::expect_writable(options.output);
-  auto [catalogue, is_compressed] = input_from(options.input);
+  auto input = input_from(options.input);
+  if (!input) return ExitCode::undecided;
+  auto& [catalogue, is_compressed] = *input;
   const Condition condition = condition_of(options);
   if (condition == Condition::jacobian && !build::is_hexahedron(catalogue))
     throw core::InvalidInput(options.input,
@@ -99,10 +107,7 @@ ExitCode realize(const RealizeOptions& options) {
                        counted(classes, "class", "classes"), certificate::name_of(condition),
                        counts.realizable, counts.refuted, counts.open);
   }
-  if (options.output == "-")
-    say_text(text);
-  else
-    print(text);
+  tell(options.output, text);
   if (counts.open != 0) return ExitCode::undecided;
   return classes == 1 && counts.refuted == 1 ? ExitCode::no : ExitCode::yes;
 }

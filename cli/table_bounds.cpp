@@ -209,8 +209,8 @@ ExitCode table_bounds(const TableBoundsOptions& options) {
   if (is_finished) return ExitCode::yes;
   if (had_all_turns)
     say(fmt::format(
-        "for {} --max-nodes ended the search, or a mesh that may be no ball; their bounds "
-        "may be too small",
+        "for {} the search did not end: --max-nodes, too many vertices for a search, or "
+        "a mesh that may be no ball; their bounds may be too small",
         counted(tally.cut, "boundary", "boundaries")));
   else
     say("stopped; the same command goes on with " + options.output);

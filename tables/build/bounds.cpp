@@ -51,7 +51,10 @@ BoundOutcome raise_bound(format::TableRow& row, const BoundOptions& options) {
   std::uint64_t nodes = options.max_nodes;
   while (row.lower_bound <= most && row.lower_bound < row.mesh.hexahedra.size()) {
     auto frontier = searched(*boundary, row.lower_bound, nodes, options.stop);
-    if (!frontier) break;
+    if (!frontier) {
+      outcome.is_cut = true;
+      break;
+    }
     if (const auto ball = std::find_if(frontier->found.begin(), frontier->found.end(), is_ball);
         ball != frontier->found.end()) {
       expect_not_refuted("the table", row.code, row.lower_bound, ball->mesh.hexahedra.size());

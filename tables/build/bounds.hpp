@@ -33,7 +33,8 @@ struct BoundOutcome {
     replaced  ///< there is a smaller mesh, which is the row's now; the bound is its size
   };
   Change change = Change::none;
-  /// Stopped, or the nodes were spent, or a mesh may be a ball or not: the bound might be greater.
+  /// Stopped, or the nodes were spent, or a mesh may be a ball or not, or one with so many
+  /// hexahedra may have more vertices than a search takes: the bound might be greater.
   bool is_cut = false;
 };
 

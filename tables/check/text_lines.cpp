@@ -66,7 +66,9 @@ std::string_view TextLines::peek() const noexcept {
 
 LineWords TextLines::next() {
   const std::size_t end = rest_.find('\n');
-  if (end == std::string_view::npos) throw Malformed(*file_, number_, "the last line has no end");
+  if (end == std::string_view::npos)
+    throw Malformed(*file_, number_,
+                    rest_.empty() ? "the file ends too early" : "the last line has no end");
   const std::string_view line = rest_.substr(0, end);
   rest_.remove_prefix(end + 1);
   return {*file_, number_++, line};

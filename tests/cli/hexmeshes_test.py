@@ -5,8 +5,8 @@ refused. Oracle. The known fillings: one and seven hexahedra for the cube, two f
 rules of a mesh, read here from its quads.
 """
 import collections
-import itertools
 import hashlib
+import itertools
 import json
 import signal
 import subprocess
@@ -164,6 +164,16 @@ class Hexmeshes(program.ProgramTest):
         self.assertEqual(ran.code, 1, ran)
         self.assertNotIn("no.hxb", self.listing())
 
+    def test_a_certificate_on_standard_output(self):
+        words = ("enum", "hexmeshes", "two-cubes", "--max-hexes", "1", "--ball", "--certificate")
+        ran = self.hexatlas(*words, "a.hxb")
+        raw = subprocess.run([program.PROGRAM, *words, "-"], cwd=self.folder, capture_output=True, check=True)
+        self.assertEqual(raw.stdout, self.read("a.hxb"))
+        self.assertEqual(raw.stderr.decode(), ran.out.replace("a.hxb", "-"))
+        ran = self.expect(1, self.hexatlas("enum", "hexmeshes", "two-cubes", "--max-hexes", "2", "--ball",
+                                           "--certificate", "b.hxb", "--json"))
+        self.assertEqual(json.loads(ran.out)["outcome"], "has_mesh")
+
     def hexatlas_fails(self, code, *arguments):
         ran = self.hexatlas(*arguments)
         self.assertEqual(ran.code, code, ran)
@@ -177,12 +187,18 @@ class Hexmeshes(program.ProgramTest):
                 self.assertRegex(ran.err, r"\Ahexatlas: " + code + r": no hexahedral mesh exists: [^\n]+\n\Z")
                 self.assertIn(said, ran.err)
                 self.assertEqual((ran.out, self.listing()), ("", []))
+                told = json.loads(self.expect(1, self.hexatlas(*words, "--json")).out)
+                self.assertEqual(told["outcome"], "impossible")
 
     def test_bad_arguments(self):
         for arguments in ((), ("cube",), ("cube", "--max-hexes", "0"), ("cube", "--max-hexes", "65"),
                           ("cube", "--max-hexes", "3", "--shard", "3/3"),
                           ("cube", "--max-hexes", "3", "--estimate", "1"),
                           ("cube", "--max-hexes", "3", "--save-every", "5"),
+                          ("cube", "--max-hexes", "3", "--seed", "5"),
+                          ("cube", "--max-hexes", "3", "--state", "-"),
+                          ("cube", "--max-hexes", "3", "--first", "--estimate", "9"),
+                          ("two-cubes", "--max-hexes", "1", "--first", "--certificate", "a.hxb"),
                           ("cube", "--max-hexes", "3", "--estimate", "9", "--state", "s")):
             self.hexatlas_fails(2, "enum", "hexmeshes", *arguments)
         self.write("in.obj", surfaces.obj(*surfaces.cube()))

@@ -66,6 +66,17 @@ class Bounds(TableTest):
                                             "--max-hexes", "9")).out
         self.assertIn("2 as small as their bounds\n", text)
 
+    def test_what_is_too_large_for_a_search_is_not_finished(self):
+        self.expect(0, self.hexatlas("table", "build", "-o", "eight.hxt", *QUICK[2:], "--max-quads", "8",
+                                     "--max-hexahedra", "1", "--start-from", SHIPPED))
+        self.write("eight.hxt", with_bound(self.read("eight.hxt"), bytes.fromhex("088a577f"), 29))
+        os.remove(self.path("eight.manifest.json"))
+        os.remove(self.path("eight.census.sqlite"))
+        said = self.bounds("eight.hxt", "-o", "out.hxt", "--max-hexes", "40", "--only", "octagonal-spindle", code=4)
+        self.assertEqual((said["raised"], said["finished"]), (0, False))
+        said = self.bounds("eight.hxt", "-o", "out.hxt", "--max-hexes", "28", "--only", "octagonal-spindle")
+        self.assertEqual((said["raised"], said["finished"]), (0, True))
+
     def test_a_new_search_keeps_bounds(self):
         self.bounds("small.hxt", "-o", "out.hxt", "--max-hexes", "2")
         build = ("table", "build", *QUICK, "--also", "two-cubes", "--max-hexahedra", "4")
@@ -133,7 +144,7 @@ class Bounds(TableTest):
         words = ("table", "bounds", "spindle.hxt", "-o", "out.hxt", "--max-nodes", "2")
         ran = self.expect(4, self.hexatlas(*words, "--max-hexes", "40", "--json"))
         self.assertFalse(json.loads(ran.out)["finished"])
-        self.assertRegex(ran.err, r"\Ahexatlas: for 1 boundary --max-nodes ended the search[^\n]+\n\Z")
+        self.assertRegex(ran.err, r"\Ahexatlas: for 1 boundary the search did not end: --max-nodes, [^\n]+\n\Z")
         ran = self.expect(0, self.hexatlas(*words, "--max-hexes", "9", "--json"))  # known of both
         self.assertTrue(json.loads(ran.out)["finished"])
 

@@ -267,6 +267,25 @@ class RealizeTest(program.ProgramTest):
             self.write("false.hxc", signed(text.replace(old, new)))
             self.expect_fault(self.hexatlas("realize", "false.hxc"), "false.hxc")
 
+    def test_answers_that_are_not_judged_are_no_answers(self):
+        """A ring of four prisms is no ball, which the judge does not find out: what is said of it may be false."""
+        self.hexatlas("enum", "triangulations", "pyramid", "-o", "a.hxc")
+        head = self.read("a.hxc").decode().splitlines()[:2]
+        ring = []
+        for i in range(4):
+            a, b = [3 * i + k for k in range(3)], [(3 * i + 3 + k) % 12 for k in range(3)]
+            ring += [(a[0], a[1], a[2], b[2]), (a[0], a[1], b[1], b[2]), (a[0], b[0], b[1], b[2])]
+        words = ["".join(f"{v:x}" for v in sorted(t)) for t in sorted(ring, key=lambda t: sum(1 << v for v in t))]
+        for answer in ("points " + " ".join(["1"] * 36), "refuted\nqed"):
+            lines = [*head, "kind balls", "name ring", "vertices 12", "interior 0", "classes 1", "exhaustive no",
+                     "class 1 7 unshelled " + " ".join(words), "embedded " + answer, "end "]
+            self.write("ring.hxc", signed("\n".join(lines)))
+            self.assertIn("undecided", self.expect(4, self.hexatlas("check", "ring.hxc")).out)
+            ran = self.expect(4, self.hexatlas("realize", "ring.hxc", "-o", "more.hxc"))
+            self.assertIn("ring.hxc: undecided: ", ran.err)
+            self.assertEqual(ran.out, "")
+        self.assertNotIn("more.hxc", self.listing())
+
     def test_one_class(self):
         ran = self.expect(0, self.hexatlas("realize", "hexahedron:1", "--jacobian", "--json"))
         self.assertEqual(json.loads(ran.out)["realizable"], 1)
