@@ -181,7 +181,7 @@ void expect_census(sqlite3* database, const std::string& path) {
   // It may be told as any other finding, with no error: by its words or by its number.
   for (const char* const shortage : {"out of memory", "error code=7", "error code=3082"})
     if (told.find(shortage) != std::string::npos) refuse(SQLITE_NOMEM, path);
-  throw core::InvalidInput(path, "is damaged: SQLite says: " + told);
+  throw core::InvalidInput(path, "is damaged: SQLite says: " + told.substr(told.rfind('\n') + 1));
 }
 
 }  // namespace

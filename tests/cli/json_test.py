@@ -6,6 +6,7 @@ import re
 
 import program
 import surfaces
+from table_files import TableTest
 
 PAGE = os.path.join(program.REPOSITORY, "docs", "formats", "json.md")
 DATA = os.path.join(program.REPOSITORY, "tables", "data")
@@ -21,7 +22,7 @@ MESHES = [
     ("mesh hex", 1, ["mesh", "hex", "odd.obj", "-o", "none.vtk"]),
     ("mesh boundary", 0, ["mesh", "boundary", "cube", "-o", "cube.vtk"]),
     ("mesh boundary", 1, ["mesh", "boundary", "odd.obj", "-o", "none.vtk"]),
-    ("mesh boundary", 4, ["mesh", "boundary", "two-cubes", "-o", "none.vtk", "--table", "small.hxt"]),
+    ("mesh boundary", 4, ["mesh", "boundary", "octagonal-spindle", "-o", "none.vtk", "--table", "small.hxt"]),
     ("mesh untangle", 0, ["mesh", "untangle", "pyramid.vtk", "-o", "untangled.vtk", "--effort", "0"]),
     ("mesh delaunay", 0, ["mesh", "delaunay", "points.xyz", "-o", "points.vtu"]),
     ("mesh delaunay", 1, ["mesh", "delaunay", "plane.xyz"]),
@@ -86,12 +87,7 @@ def keys_of(value, name="", own=""):
     return found
 
 
-class JsonTest(program.ProgramTest):
-    def setUp(self):
-        super().setUp()
-        self.expect(0, self.hexatlas("table", "build", "-o", "small.hxt", "--max-quads", "6", "--width", "100",
-                                     "--max-hexahedra", "4", "--rounds", "1"))
-
+class JsonTest(TableTest):
     def expect_documented(self, cases, optional=()):
         found = {}
         for section, code, words in cases:
