@@ -62,28 +62,20 @@ std::variant<NamedBoundary, Unfillable> boundary_of(const std::string& shown,
   return NamedBoundary{canon::to_text(code), *boundary};
 }
 
-std::optional<NamedBoundary> fillable(const std::string& shown, const canon::Code& code) {
-  const auto boundary = boundary_of(shown, code);
-  if (const auto* unfillable = std::get_if<Unfillable>(&boundary)) {
-    say(fmt::format("{}: {}", shown, unfillable->reason));
-    return std::nullopt;
-  }
-  return std::get<NamedBoundary>(boundary);
-}
-
 }  // namespace
 
 std::variant<NamedBoundary, Unfillable> boundary_from(const std::string& name_code_or_file) {
   return boundary_of(name_code_or_file, code_from(name_code_or_file));
 }
 
-std::optional<NamedBoundary> fillable_boundary_from(const std::string& name_code_or_file) {
-  return fillable(name_code_or_file, code_from(name_code_or_file));
-}
-
 std::optional<NamedBoundary> fillable_boundary_of_code(const std::string& word) {
   const auto code = canon::from_text(word);
-  return fillable(word, code ? *code : canon::Code{});
+  const auto boundary = boundary_of(word, code ? *code : canon::Code{});
+  if (const auto* unfillable = std::get_if<Unfillable>(&boundary)) {
+    say(fmt::format("{}: {}", word, unfillable->reason));
+    return std::nullopt;
+  }
+  return std::get<NamedBoundary>(boundary);
 }
 
 }  // namespace hexatlas::cli

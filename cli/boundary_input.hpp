@@ -26,11 +26,7 @@ struct Unfillable {
 [[nodiscard]] std::variant<NamedBoundary, Unfillable> boundary_from(
     const std::string& name_code_or_file);
 
-/// The same; of one without a mesh it is said why, and there is none.
-[[nodiscard]] std::optional<NamedBoundary> fillable_boundary_from(
-    const std::string& name_code_or_file);
-
-/// The same for codes only.
+/// The same for codes only; of one without a mesh it is said why, and there is none.
 [[nodiscard]] std::optional<NamedBoundary> fillable_boundary_of_code(const std::string& word);
 
 }  // namespace hexatlas::cli

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "cli/histogram_chart.hpp"
+#include "cli/mesh_output.hpp"
 #include "cli/output.hpp"
 #include "enum/core/checks.hpp"
 #include "meshing/view/structure.hpp"
@@ -133,9 +134,8 @@ std::string figure(const char* label, const std::string& value) {
 std::string figures(const quality::Report& quality) {
   return "<dl class=\"figures\">\n" + figure("hexahedra", std::to_string(quality.cells)) +
          figure("not proven valid", std::to_string(quality.cells - quality.valid)) +
-         figure("minimum scaled Jacobian", fmt::format("{:.4f}", quality.min_scaled_jacobian)) +
-         figure("mean scaled Jacobian", fmt::format("{:.4f}", quality.mean_scaled_jacobian)) +
-         "</dl>\n";
+         figure("minimum scaled Jacobian", in_short(quality.min_scaled_jacobian)) +
+         figure("mean scaled Jacobian", in_short(quality.mean_scaled_jacobian)) + "</dl>\n";
 }
 
 std::string section_of(const Account& account) {
@@ -152,9 +152,9 @@ std::string section_of(const QualityAccount& account, std::size_t number) {
   std::string bins;
   for (std::size_t bin = 0; bin < quality.histogram.size(); ++bin)
     bins += row(histogram_bin(bin), quality.histogram[bin], all);
-  return fmt::format("<h2>{}</h2>\n<p>Scaled Jacobian: minimum {:.4f}, mean {:.4f}.</p>\n",
-                     escaped(account.heading), quality.min_scaled_jacobian,
-                     quality.mean_scaled_jacobian) +
+  return fmt::format("<h2>{}</h2>\n<p>Scaled Jacobian: minimum {}, mean {}.</p>\n",
+                     escaped(account.heading), in_short(quality.min_scaled_jacobian),
+                     in_short(quality.mean_scaled_jacobian)) +
          histogram_chart(quality, fmt::format("chart-{}", number)) + "<div class=\"tables\">\n" +
          table(kWords, "Scaled Jacobian", "interval", "hexahedra", bins) +
          table(kWords, "Validity", "hexahedra that are", "hexahedra",
