@@ -252,7 +252,7 @@ TEST(Sectors, MalformedHeadOfASector) {
   }
   // One hexahedron less or more than there are lines.
   expect_malformed(replaced(text, "sector 56 77", "sector 55 77"), 58, "expected 'sector'");
-  expect_malformed(replaced(text, "sector 56 77", "sector 57 77"), 59, "no end");
+  expect_malformed(replaced(text, "sector 56 77", "sector 57 77"), 59, "ends too early");
   // The largest numbers that may be.
   EXPECT_EQ(check_sectors_bytes(replaced(text, "sector 56 77", "sector 56 448"), "x").fault,
             "the sector of line 2: point 77 is in no hexahedron");
@@ -283,7 +283,7 @@ TEST(Sectors, MalformedEnd) {
     expect_malformed(text + end, 90);
   }
   expect_malformed(text + '\0', 90);
-  expect_malformed(text + "sector 56 77\n", 91, "no end");
+  expect_malformed(text + "sector 56 77\n", 91, "ends too early");
   expect_malformed(text.substr(0, text.size() - 1), 89, "no end");
   // Cut after each line. After the first sector it is a file, whose sector has scars.
   std::size_t line = 1;
