@@ -48,6 +48,24 @@ function(hexatlas_share_units target)
   endforeach()
 endfunction()
 
+# hexatlas_read_headers_once(TARGET): the standard library, in builds that are for tests alone and where it
+# helps (clang: a quarter of the time). The others show that each file includes what it names.
+function(hexatlas_read_headers_once target)
+  get_target_property(used ${target} LINK_LIBRARIES)
+  if(NOT HEXATLAS_SANITIZE OR NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang"
+      OR used MATCHES "OpenMP::OpenMP_CXX")  # with it the language is another
+    return()
+  endif()
+  if(NOT TARGET standard_headers)
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/standard_headers.cpp CONTENT "" @ONLY)
+    add_library(standard_headers OBJECT ${PROJECT_BINARY_DIR}/standard_headers.cpp)
+    target_precompile_headers(standard_headers PRIVATE <algorithm> <array> <cmath> <cstdint> <filesystem>
+      <fstream> <functional> <map> <memory> <numeric> <optional> <set> <span> <sstream> <string> <string_view>
+      <thread> <unordered_map> <utility> <variant> <vector>)
+  endif()
+  target_precompile_headers(${target} REUSE_FROM standard_headers)
+endfunction()
+
 function(hexatlas_layer layer)
   cmake_parse_arguments(ARG "" "" "HEADERS;SOURCES;APART;USES;THIRD_PARTY" ${ARGN})
   hexatlas_check_uses(${layer} ${ARG_USES})
@@ -76,6 +94,9 @@ function(hexatlas_layer layer)
   target_include_directories(${target} ${scope} ${PROJECT_SOURCE_DIR})
   target_compile_features(${target} ${scope} cxx_std_20)
   target_link_libraries(${target} ${scope} ${ARG_USES} ${door_scope} ${ARG_THIRD_PARTY})
+  if(ARG_SOURCES)
+    hexatlas_read_headers_once(${target})
+  endif()
   set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON
     INTERFACE_HEADER_SETS_TO_VERIFY without_source)
 endfunction()

@@ -12,9 +12,9 @@ build_packages=(
 )
 # What the tests are compiled with.
 compile_packages=(libgtest-dev librapidcheck-dev libbenchmark-dev libcgal-dev libmpfr-dev python3 git)
-# Sanitizers and fuzzing, static analysis, and programs that read our files as a second road.
+# Sanitizers and fuzzing, fast links, static analysis, and programs that read our files as a second road.
 test_packages=(
-  clang libclang-rt-14-dev libomp-14-dev clang-tidy
+  clang lld libclang-rt-14-dev libomp-14-dev clang-tidy
   gmsh python3-vtk9 chromium coinor-cbc
 )
 

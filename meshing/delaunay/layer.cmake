@@ -11,8 +11,9 @@ target_compile_options(meshing_delaunay PRIVATE -Wno-psabi)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   # Chosen when running, where the processor has them. A fused operation leaves out a rounding.
   set_source_files_properties(delaunay/four_facets_avx2.cpp PROPERTIES
-    COMPILE_OPTIONS "-mavx2;-mfma;-ffp-contract=fast")
+    COMPILE_OPTIONS "-mavx2;-mfma;-ffp-contract=fast" SKIP_PRECOMPILE_HEADERS ON)
   # The same vectors, and registers for all of them.
   set_source_files_properties(delaunay/four_facets_avx512.cpp PROPERTIES COMPILE_OPTIONS
-    "-mavx512f;-mavx512vl;-mavx512dq;-mfma;-mprefer-vector-width=256;-ffp-contract=fast")
+    "-mavx512f;-mavx512vl;-mavx512dq;-mfma;-mprefer-vector-width=256;-ffp-contract=fast"
+    SKIP_PRECOMPILE_HEADERS ON)
 endif()

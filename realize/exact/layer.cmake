@@ -13,5 +13,6 @@ hexatlas_layer(realize/exact
 target_compile_options(realize_exact PRIVATE -Wno-psabi)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   # Chosen when running, where the processor has them. No fused operations: the same verdicts.
-  set_source_files_properties(exact/jacobian_lanes_avx2.cpp PROPERTIES COMPILE_OPTIONS "-mavx2")
+  set_source_files_properties(exact/jacobian_lanes_avx2.cpp PROPERTIES
+    COMPILE_OPTIONS "-mavx2" SKIP_PRECOMPILE_HEADERS ON)
 endif()
