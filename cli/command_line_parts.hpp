@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/mesh_output.hpp"
+#include "cli/output.hpp"
 
 namespace hexatlas::cli {
 

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <system_error>
 #include <vector>
 
 #include "cli/output.hpp"
@@ -34,24 +32,6 @@ std::optional<io::FileFormat> format_on(const std::string& output) {
   return output == "-" ? std::optional(io::FileFormat::vtk) : std::nullopt;
 }
 
-/// The output would take the place of the input.
-bool is_same_file(const std::string& input, const std::string& output) {
-  if (input == "-" || output == "-") return false;
-  std::error_code error;  // a file that is not there is told by who opens it
-  return std::filesystem::is_regular_file(input, error) &&
-         std::filesystem::equivalent(input, output, error);
-}
-
-/// Two outputs are one file also if it is not there yet.
-bool is_same_output(const std::string& a, const std::string& b) {
-  if (a == "-" || b == "-") return a == b;
-  namespace fs = std::filesystem;
-  if (is_same_file(a, b)) return true;
-  std::error_code error, other;  // what is wrong with a name is told by who writes there
-  const fs::path one = fs::weakly_canonical(fs::absolute(a), error);
-  return one == fs::weakly_canonical(fs::absolute(b), other) && !error && !other;
-}
-
 }  // namespace
 
 check::Mesh for_judge(const mesh::HexMesh& mesh) {
@@ -63,21 +43,6 @@ check::Mesh for_judge(const mesh::HexMesh& mesh) {
 
 check::Surface for_judge(const mesh::SurfaceMesh& surface) {
   return {points_of(surface.points), {surface.quads.begin(), surface.quads.end()}};
-}
-
-std::optional<std::string> same_files(const NamedFile& input,
-                                      const std::vector<NamedFile>& outputs) {
-  const auto told = [](const NamedFile& one, const NamedFile& other) {
-    return fmt::format("{} and {} are the same file", one.first, other.first);
-  };
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    if (outputs[i].second.empty()) continue;
-    if (is_same_file(input.second, outputs[i].second)) return told(input, outputs[i]);
-    for (std::size_t j = 0; j < i; ++j)
-      if (!outputs[j].second.empty() && is_same_output(outputs[j].second, outputs[i].second))
-        return told(outputs[j], outputs[i]);
-  }
-  return std::nullopt;
 }
 
 bool are_distinct(const MeshFiles& files, const char* input, const char* verb) {

@@ -27,12 +27,6 @@ struct MeshFiles {
 [[nodiscard]] check::Mesh for_judge(const mesh::HexMesh& mesh);
 [[nodiscard]] check::Surface for_judge(const mesh::SurfaceMesh& surface);
 
-/// An option and the file that it names; none if that is empty.
-using NamedFile = std::pair<const char*, std::string>;
-/// "INPUT and --output are the same file", of the first two of which one would be lost.
-[[nodiscard]] std::optional<std::string> same_files(const NamedFile& input,
-                                                    const std::vector<NamedFile>& outputs);
-
 /// Whether no two of the files are the same, which would lose one of them; says so if they are.
 /// `input` is its word on the command line of the verb.
 [[nodiscard]] bool are_distinct(const MeshFiles& files, const char* input, const char* verb);

@@ -5,11 +5,34 @@
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "enum/core/files.hpp"
 
 namespace hexatlas::cli {
+namespace {
+
+/// The output would take the place of the input.
+bool is_same_file(const std::string& input, const std::string& output) {
+  if (input == "-" || output == "-") return false;
+  std::error_code error;  // a file that is not there is told by who opens it
+  return std::filesystem::is_regular_file(input, error) &&
+         std::filesystem::equivalent(input, output, error);
+}
+
+/// Two outputs are one file also if it is not there yet.
+bool is_same_output(const std::string& a, const std::string& b) {
+  if (a == "-" || b == "-") return a == b;
+  namespace fs = std::filesystem;
+  if (is_same_file(a, b)) return true;
+  std::error_code error, other;  // what is wrong with a name is told by who writes there
+  const fs::path one = fs::weakly_canonical(fs::absolute(a), error);
+  return one == fs::weakly_canonical(fs::absolute(b), other) && !error && !other;
+}
+
+}  // namespace
 
 std::string version() { return HEXATLAS_VERSION; }
 
@@ -19,6 +42,21 @@ void print(std::string_view text) { core::write_file("-", text); }
 
 std::string to_line(const nlohmann::ordered_json& json) {
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::optional<std::string> same_files(const NamedFile& input,
+                                      const std::vector<NamedFile>& outputs) {
+  const auto told = [](const NamedFile& one, const NamedFile& other) {
+    return fmt::format("{} and {} are the same file", one.first, other.first);
+  };
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].second.empty()) continue;
+    if (is_same_file(input.second, outputs[i].second)) return told(input, outputs[i]);
+    for (std::size_t j = 0; j < i; ++j)
+      if (!outputs[j].second.empty() && is_same_output(outputs[j].second, outputs[i].second))
+        return told(outputs[j], outputs[i]);
+  }
+  return std::nullopt;
 }
 
 void say_text(std::string_view text) {

@@ -4,8 +4,11 @@
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "enum/core/progress.hpp"
 #include "enum/core/words.hpp"
@@ -24,6 +27,11 @@ void tell(const std::string& output, std::string_view text);
 using core::counted;
 /// What messages call an input: its path, or "standard input" for "-".
 [[nodiscard]] std::string input_name(const std::string& path);
+/// An option and the file that it names; none if that is empty.
+using NamedFile = std::pair<const char*, std::string>;
+/// "INPUT and --output are the same file", of the first two of which one would be lost.
+[[nodiscard]] std::optional<std::string> same_files(const NamedFile& input,
+                                                    const std::vector<NamedFile>& outputs);
 /// Words on standard error, as they stand; no error if they cannot be written.
 void say_text(std::string_view text);
 /// A word to the user: one line on standard error, after the name of the program.

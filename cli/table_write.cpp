@@ -9,7 +9,6 @@
 #include <string_view>
 #include <system_error>
 
-#include "cli/output.hpp"
 #include "cli/table_path.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/mesh_output.hpp"
+#include "cli/output.hpp"
 #include "tables/format/table.hpp"
 
 namespace hexatlas::cli {

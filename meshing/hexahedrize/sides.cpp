@@ -35,6 +35,7 @@ using Corners = std::array<mesh::Point, 4>;
 /// In double precision; zero if the volume may be smaller than the rounding.
 exact::Sign rough_sign_of_volume(std::span<const Corners> quads) {
   constexpr double kQuarter = 0.25;  // so that no difference overflows
+  if (quads.empty()) return exact::Sign::zero;
   const mesh::Point& origin = quads[0][0];
   double extent = 0;
   for (const Corners& quad : quads)
@@ -64,12 +65,10 @@ exact::Sign rough_sign_of_volume(std::span<const Corners> quads) {
 
 exact::Sign sign_of_volume_within(const std::vector<mesh::Point>& points,
                                   const std::vector<Cycle>& cycles) {
-  if (cycles.empty()) return exact::Sign::zero;
   std::vector<Corners> quads(cycles.size());
   for (std::size_t q = 0; q < cycles.size(); ++q)
     for (std::size_t i = 0; i < 4; ++i) quads[q][i] = points[cycles[q][i]];
-  const exact::Sign rough = rough_sign_of_volume(quads);
-  return rough != exact::Sign::zero ? rough : sign_of_volume(quads);
+  return sign_of_volume(quads);
 }
 
 std::string name_of(const Facet& side) {
@@ -120,6 +119,8 @@ std::optional<std::string> fault_of_sides(const mesh::HexMesh& mesh) {
 }
 
 exact::Sign sign_of_volume(std::span<const std::array<mesh::Point, 4>> quads) {
+  const exact::Sign rough = rough_sign_of_volume(quads);
+  if (rough != exact::Sign::zero) return rough;
   std::vector<std::array<exact::Point3, 3>> triangles;
   triangles.reserve(4 * quads.size());
   for (const auto& quad : quads)

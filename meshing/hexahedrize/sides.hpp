@@ -32,7 +32,8 @@ namespace hexatlas::hexahedrize {
 [[nodiscard]] std::optional<std::string> fault_of_sides(const mesh::HexMesh& mesh);
 
 /// The sign of the volume that a closed surface of quads encloses. A quad need not be planar: it is
-/// cut along either diagonal, which gives twice the volume under the bilinear patch. Exact.
+/// cut along either diagonal, which gives twice the volume under the bilinear patch. Exact. Requires
+/// finite coordinates.
 [[nodiscard]] exact::Sign sign_of_volume(std::span<const std::array<mesh::Point, 4>> quads);
 
 /// Hexahedra that are joined by quads.
