@@ -150,6 +150,9 @@ ExitCode table_get(const TableGetOptions& options) {
   json["interior_vertices"] = mesh->vertices - code.quads - 2U;
   json["lower_bound"] = ordinal ? table.entry(*ordinal).lower_bound : 1;
   json["literature"] = literature(code);
+  json["table"] = table.path();
+  json["sha256"] = table.sha256();
+  json["searched"] = !ordinal;
   json["boundary"] = canon::decode(code).value().list_of_quads();
   json["cells"] = mesh->hexahedra;
   core::write_file(options.output.empty() ? "-" : options.output, to_line(json));

@@ -44,7 +44,11 @@ class LargerTable(program.ProgramTest):
         code = "q1:00888a20a0a2a5d75775f77dff"  # 26 quads
         words = ("table", "get", "--search", "--code", code)
         found = json.loads(self.expect(0, self.hexatlas(*words)).out)
-        self.assertEqual(found, json.loads(self.expect(0, self.hexatlas(*words, "--table", LARGER)).out))
+        other = json.loads(self.expect(0, self.hexatlas(*words, "--table", LARGER)).out)
+        self.assertTrue(found["searched"])
+        self.assertTrue(os.path.samefile(other.pop("table"), LARGER))
+        self.assertEqual(os.path.basename(found.pop("table")), os.path.basename(LARGER))
+        self.assertEqual(found, other)
 
     def test_is_small(self):
         ran = self.expect(0, self.hexatlas("table", "info", LARGER, "--json"))

@@ -31,7 +31,8 @@ def stacked_cubes():
 
 class MeshTest(program.ProgramTest):
     def expect_mesh(self, said):
-        keys = ["code", "quads", "hexahedra", "interior_vertices", "lower_bound", "boundary", "cells"]
+        keys = ["code", "quads", "hexahedra", "interior_vertices", "lower_bound", "table", "sha256",
+                "searched", "boundary", "cells"]
         self.assertEqual([key for key in said if key != "literature"], keys)
         self.assertEqual(said["quads"], len(said["boundary"]))
         self.assertEqual(said["hexahedra"], len(said["cells"]))
@@ -76,6 +77,8 @@ class Read(TableTest, MeshTest):
         said = json.loads(by_name.out)
         self.assertEqual(by_name.out.count("\n"), 1)
         self.expect_mesh(said)
+        digest = hashlib.sha256(self.good).hexdigest()
+        self.assertEqual((said["table"], said["sha256"], said["searched"]), ("small.hxt", digest, False))
         by_code = self.expect(0, self.hexatlas("table", "get", "--table", "small.hxt", "--code",
                                                said["code"]))
         self.assertEqual(said["literature"]["hexahedra"], 2)
