@@ -139,7 +139,8 @@ void add_check(CLI::App& app, Action& action) {
   auto* hybrid = command->add_flag(
       "--hybrid", options->hybrid,
       "Mesh of tetrahedra, hexahedra, prisms and pyramids: valid cells, facet to facet; with "
-      "--boundary nothing covered more often than by the tetrahedra");
+      "--boundary nothing covered more often than by the tetrahedra, except between warped quads "
+      "of the boundary and their triangles");
   auto* delaunay =
       command->add_flag("--delaunay", options->delaunay,
                         "The mesh must be a Delaunay triangulation of its points, by exact signs");

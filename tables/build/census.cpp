@@ -90,7 +90,13 @@ class Statement {
     if (bytes == nullptr) expect_memory();
     return bytes == nullptr ? "" : std::string(bytes, bytes + size);
   }
-  [[nodiscard]] int number(int column) { return sqlite3_column_int(statement_.get(), column); }
+  /// Numbers that a census does not hold are those of a damaged one.
+  [[nodiscard]] int number(int column) {
+    const sqlite3_int64 value = sqlite3_column_int64(statement_.get(), column);
+    if (!std::in_range<int>(value))
+      throw core::InvalidInput(path_, "is damaged: a number is too large");
+    return static_cast<int>(value);
+  }
 
   /// Some functions do not return that memory is short.
   void expect_memory() const {
@@ -239,14 +245,18 @@ Census read_census(const std::string& path) {
   if (error != SQLITE_OK) refuse(error, path);
   expect_census(database.get(), path);
   Census census;
-  Statement about(database.get(),
-                  "SELECT table_format, table_sha256, program, \"commit\", rows_sha256 FROM about",
-                  path);
+  Statement about(
+      database.get(),
+      "SELECT table_format, table_sha256, program, \"commit\", rows_sha256, format FROM about",
+      path);
   const bool is_there = about.step();
-  if (!is_there || about.number(0) != static_cast<int>(format::kTableVersion))
+  if (!is_there || about.number(0) != static_cast<int>(format::kTableVersion) ||
+      about.number(5) != kVersion)
     throw core::InvalidInput(path, "is damaged, or the census of a table of another version");
   census.about = {about.text(1), about.text(2), about.text(3)};
   const std::string digest = about.text(4);
+  if (about.step())
+    throw core::InvalidInput(path, "is damaged: it says twice of what it is the census");
   Statement select(database.get(), "SELECT * FROM census ORDER BY code", path);
   while (select.step())
     census.rows.push_back({select.text(0), select.number(1), select.number(2), select.number(3),

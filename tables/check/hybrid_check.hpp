@@ -17,7 +17,8 @@
 /// Preconditions: finite coordinates; fewer than 2^29 cells. Errors: none; the judgement is a
 /// value. Cost: O(C log C) for C cells, some 7 us and 800 bytes per hexahedron.
 ///
-/// Not promised: without a boundary given, that parts of the mesh far from each other are disjoint;
+/// Not promised: without a boundary given, that parts of the mesh far from each other are disjoint,
+/// or cells at a vertex of the boundary that share no edge; with one, that its tetrahedra are;
 /// that the boundary is a manifold (singular_boundary_edges); that two cells meet in a single face.
 
 #include <cstdint>
@@ -36,7 +37,7 @@ enum class HybridLaw : std::uint8_t {
   kSameCycle,      ///< two quads with the same vertices list them in the same cyclic order
   kOppositeSides,  ///< two cells at a facet are on opposite sides of it
   kDiagonal,       ///< no edge joins two vertices that are opposite in a quad
-  kAroundEdge,     ///< no two cells overlap around an edge
+  kAroundEdge,     ///< no two cells overlap around an edge, at either end of it
   kAroundVertex,   ///< the cells at an inner vertex hang together through facets that contain it
   kGivenMesh,      ///< the given tetrahedral mesh obeys the laws before
   kGivenBoundary,  ///< the boundary is that of the given mesh, two triangles for each quad

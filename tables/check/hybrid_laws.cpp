@@ -86,13 +86,13 @@ struct Wedge {
   std::uint32_t cell;
 };
 
-/// Those of each edge follow each other, the edge in ascending direction.
-std::vector<Wedge> sorted_wedges(const std::vector<HybridCell>& cells) {
+/// Those of each edge follow each other, the edge seen from its lesser end or from the greater one.
+std::vector<Wedge> sorted_wedges(const std::vector<HybridCell>& cells, bool from_lesser_end) {
   std::vector<Wedge> wedges;
   for (std::uint32_t c = 0; c < cells.size(); ++c) {
     const auto& v = cells[c].vertices;
     for (const EdgePlaces& edge : edges_of(cells[c].shape)) {
-      if (v[edge.v] > v[edge.w]) continue;
+      if ((v[edge.v] < v[edge.w]) != from_lesser_end) continue;
       wedges.push_back({{v[edge.v], v[edge.w]}, v[edge.from], v[edge.to], c});
     }
   }
@@ -126,6 +126,35 @@ bool are_a_cycle(std::span<const Wedge> wedges) {
     at = next;
   }
   return at == 0;
+}
+
+/// Two of the wedges around one edge that overlap at its end. Of two such wedges, one contains the
+/// first half-plane of the other; in a cycle, one half-plane tells.
+HybridFinding overlap_of(std::span<const Wedge> wedges, bool is_cycle,
+                         const std::vector<HybridCell>& cells, const std::vector<Point>& points,
+                         Signs& signs) {
+  for (const Wedge& one : wedges) {
+    for (const Wedge& other : wedges.first(is_cycle ? 1 : wedges.size())) {
+      if (one.cell == other.cell || !contains(one, other.from, points, signs)) continue;
+      return HybridFailure{HybridLaw::kAroundEdge,
+                           name_of(cells[one.cell]) + " and " + name_of(cells[other.cell]) +
+                               " overlap around their edge " + listed(one.edge)};
+    }
+  }
+  return std::nullopt;
+}
+
+/// How often a cycle winds around its edge is the same from both ends.
+HybridFinding check_at_ends(const std::vector<Wedge>& wedges, const std::vector<HybridCell>& cells,
+                            const std::vector<Point>& points, Signs& signs, bool with_cycles) {
+  for (std::size_t first = 0, end = 0; first < wedges.size(); first = end) {
+    while (end < wedges.size() && wedges[end].edge == wedges[first].edge) ++end;
+    const std::span around = std::span(wedges).subspan(first, end - first);
+    const bool is_cycle = are_a_cycle(around);
+    if (is_cycle && !with_cycles) continue;
+    if (HybridFinding found = overlap_of(around, is_cycle, cells, points, signs)) return found;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -214,22 +243,10 @@ HybridFinding check_diagonals(const std::vector<HybridCell>& cells, const Hybrid
 
 HybridFinding check_around_edges(const std::vector<HybridCell>& cells,
                                  const std::vector<Point>& points, Signs& signs) {
-  const std::vector<Wedge> wedges = sorted_wedges(cells);
-  for (std::size_t first = 0, end = 0; first < wedges.size(); first = end) {
-    while (end < wedges.size() && wedges[end].edge == wedges[first].edge) ++end;
-    // Of two wedges that overlap, one contains the first half-plane of the other; in a cycle, one
-    // half-plane tells.
-    const bool is_cycle = are_a_cycle(std::span(wedges).subspan(first, end - first));
-    for (std::size_t i = first; i < end; ++i) {
-      for (std::size_t j = first; j < (is_cycle ? first + 1 : end); ++j) {
-        if (i == j || !contains(wedges[i], wedges[j].from, points, signs)) continue;
-        return HybridFailure{HybridLaw::kAroundEdge, name_of(cells[wedges[i].cell]) + " and " +
-                                                         name_of(cells[wedges[j].cell]) +
-                                                         " overlap around their edge " +
-                                                         listed(wedges[i].edge)};
-      }
-    }
-  }
+  for (const bool from_lesser_end : {true, false})
+    if (HybridFinding found = check_at_ends(sorted_wedges(cells, from_lesser_end), cells, points,
+                                            signs, from_lesser_end))
+      return found;
   return std::nullopt;
 }
 

@@ -78,13 +78,24 @@ Finding check_surface_quads(const std::vector<Quad>& boundary, const Surface& su
                  "of the quads of the surface and those of the mesh: " + difference(mine, given)};
 }
 
-Finding check_listed_quads(const std::vector<Quad>& boundary, const Mesh& mesh) {
+/// Files list what has a name or a condition: parts of the boundary, interfaces.
+Finding check_listed_quads(const Mesh& mesh) {
   if (mesh.quads.empty()) return std::nullopt;
-  const std::vector<Quad> mine = sorted_sets(boundary);
-  const std::vector<Quad> listed_quads = sorted_sets(mesh.quads);
-  if (mine == listed_quads) return std::nullopt;
-  return Failure{Law::kListedQuads, "of the quads listed with the mesh (as sets of vertices): " +
-                                        difference(mine, listed_quads)};
+  std::vector<Quad> all;
+  all.reserve(kQuadCorners.size() * mesh.hexahedra.size());
+  for (const Hexahedron& cell : mesh.hexahedra) {
+    for (const auto& at : kQuadCorners) {
+      all.push_back({cell[at[0]], cell[at[1]], cell[at[2]], cell[at[3]]});
+    }
+  }
+  all = sorted_sets(std::move(all));
+  for (const Quad& quad : sorted_sets(mesh.quads)) {
+    if (std::binary_search(all.begin(), all.end(), quad)) continue;
+    return Failure{Law::kListedQuads, "quad " + listed(quad) +
+                                          " (as a set of vertices), which is listed with the "
+                                          "mesh, is that of no hexahedron"};
+  }
+  return std::nullopt;
 }
 
 /// The points of the surface in no quad of it.
@@ -103,7 +114,7 @@ std::vector<bool> points_that_may_be_unused(const Mesh& mesh, const Surface* sur
 
 Finding check_boundary(const Mesh& mesh, const Surface* surface, const std::vector<Quad>& boundary,
                        Verdict& verdict) {
-  if (Finding found = check_listed_quads(boundary, mesh)) return found;
+  if (Finding found = check_listed_quads(mesh)) return found;
   if (surface == nullptr) return std::nullopt;
   if (Finding found = check_surface_points(mesh, *surface)) return found;
   return check_surface_quads(boundary, *surface, verdict);

@@ -177,17 +177,18 @@ std::vector<Point> parse_ply(const std::string& name, std::string_view bytes) {
   const std::string_view body = end == std::string_view::npos ? "" : bytes.substr(end + 1);
   Numbers numbers(in, body, header.binary);
   for (const Element& element : header.elements) {
-    if (element.count > body.size() && !element.properties.empty()) {
+    const bool wanted = element.name == "vertex";
+    if (element.count > body.size() && (wanted || !element.properties.empty())) {
       in.fail("there are too many elements " + in_quotes(element.name));
     }
-    const bool wanted = element.name == "vertex";
-    std::vector<Point> points(wanted ? element.count : 0);
+    std::vector<Point> points;
     if (wanted) {
       std::array<int, 3> seen{};
       for (const Property& property : element.properties) {
         if (const std::size_t axis = axis_of(property); axis < 3) ++seen[axis];
       }
       if (seen != std::array{1, 1, 1}) in.fail("a vertex has not the coordinates x, y, z");
+      points.resize(element.count);
     }
     for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
       Point point{};

@@ -16,6 +16,7 @@ constexpr std::uint64_t kDigestAt = 96;
 constexpr std::uint64_t kDigest = 32;
 constexpr std::uint32_t kFewestQuads = 6;
 constexpr std::uint32_t kMostQuads = 64;
+constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 26;
 
 class LayoutReader {
  public:
@@ -116,6 +117,9 @@ class LayoutReader {
       const TableBlock block{at(entry, 8), at(entry + 8, 4), at(entry + 12, 4)};
       if (block.offset != end_) return "block " + std::to_string(b) + " has a wrong offset";
       if (!fits(end_, block.stored, 1)) return "block " + std::to_string(b) + " is cut";
+      if (block.unpacked > kMostUnpacked) {
+        return "block " + std::to_string(b) + " unpacks to more than 64 MiB";
+      }
       end_ += block.stored;
       layout_.blocks.push_back(block);
     }

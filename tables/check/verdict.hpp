@@ -19,7 +19,7 @@ enum class Law {
   kLink,            ///< the link of a vertex is a sphere (interior) or a disc (boundary)
   kBoundarySphere,  ///< the boundary is one sphere
   kBall,            ///< the mesh is shown to be a ball
-  kListedQuads,     ///< quads listed with the mesh are exactly its boundary quads
+  kListedQuads,     ///< quads listed with the mesh are quads of hexahedra
   kSurfacePoints,   ///< the first points are those of the surface, bit for bit
   kSurfaceQuads,    ///< the boundary quads are those of the surface, as oriented cycles
 };

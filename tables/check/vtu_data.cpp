@@ -30,6 +30,9 @@ class Source {
     rest_.remove_prefix(begin == std::string_view::npos ? rest_.size() : begin);
   }
 
+  /// No more bytes than these can be taken.
+  [[nodiscard]] std::size_t left() const noexcept { return rest_.size(); }
+
   /// The next `count` bytes, which in base64 are a run, or the beginning of one if `peek`.
   std::string take(std::uint64_t count, bool peek) {
     const std::uint64_t chars = base64_ ? (count / 3 + (count % 3 != 0)) * 4 : count;
@@ -100,6 +103,7 @@ std::string decode_blocks(Source& source, std::size_t word, std::uint64_t wanted
                           const Fail& fail) {
   const std::uint64_t blocks = word_at(source.take(word, true), 0, word);
   if (blocks > wanted) fail("an array has more compressed blocks than bytes");
+  if (blocks > source.left() / word) fail("an array of data ends too early");
   const std::string header = source.take((3 + blocks) * word, false);
   const std::uint64_t full = word_at(header, 1, word);
   const std::uint64_t last = word_at(header, 2, word);

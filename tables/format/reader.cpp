@@ -22,6 +22,8 @@ namespace {
 
 /// Length, encoding, and 65,535 hexahedra as cells: what is larger is not allocated.
 constexpr std::size_t kMaxRecordSize = 4 + 1 + 16 * std::size_t{65'535};
+constexpr std::size_t kMaxBlockSize = std::size_t{1}
+                                      << 26;  // a small file must not fill the memory
 
 /// A file mapped read-only for the lifetime of the object.
 class MappedFile {
@@ -197,7 +199,7 @@ std::string Table::Content::block(std::size_t number) const {
   const std::size_t unpacked = get<std::uint32_t>(bytes, at + 12);
   const std::size_t records = std::min(records_per_block, entries - number * records_per_block);
   const auto frame_size = ZSTD_getFrameContentSize(stored.data(), stored.size());
-  const bool fits = unpacked <= records * kMaxRecordSize &&
+  const bool fits = unpacked <= std::min(records * kMaxRecordSize, kMaxBlockSize) &&
                     (frame_size == ZSTD_CONTENTSIZE_UNKNOWN || frame_size == unpacked);
   if (!fits) refuse("is damaged: block " + std::to_string(number) + " has an impossible size");
   std::string raw(unpacked, '\0');

@@ -4,10 +4,12 @@ complete as far as it claims; all verbs refuse tables that are damaged, with the
 Oracle. The damage is put in here, at places from docs/formats/table.md; hashlib; a census that
 table_files.py writes; the numbers of rooted quadrangulations of the literature.
 """
+import contextlib
 import hashlib
 import json
 import os
 import re
+import sqlite3
 import struct
 
 import program
@@ -21,7 +23,7 @@ class Besides(TableTest):
     def expect_damaged(self, name):
         """The answer is no, and an object with --json."""
         ran = self.expect(1, self.hexatlas("table", "check", "small.hxt"))
-        self.assertRegex(ran.out, r"\Asmall\.hxt: rejected: beside it, " + re.escape(name) + r": is not a [^\n]+\n\Z")
+        self.assertRegex(ran.out, r"\Asmall\.hxt: rejected: beside it, " + re.escape(name) + r": is (not a|damaged)[^\n]+\n\Z")
         said = json.loads(self.expect(1, self.hexatlas("table", "check", "small.hxt", "--json")).out)
         self.assertFalse(said["accepted"])
         self.assertIn(name, said["reason"])
@@ -166,6 +168,16 @@ class Census(Besides, UnclaimedTest):
                 ran = self.expect(1, self.hexatlas("table", "check", "small.hxt"))
                 self.assertRegex(ran.out, r"\Asmall\.hxt: rejected: [^\n]+census[^\n]+\n\Z")
                 self.assertIn(said, ran.out)
+        for change in ("UPDATE census SET hexahedra = hexahedra + 4294967296",
+                       "UPDATE census SET lower_bound = lower_bound - 4294967296",
+                       "UPDATE about SET format = 2",
+                       "INSERT INTO about SELECT * FROM about",
+                       "UPDATE about SET format = 4294967297"):
+            with self.subTest(change=change):
+                write_census(census, digest, CENSUS_ROWS)
+                with contextlib.closing(sqlite3.connect(census)) as database, database:
+                    database.execute(change)
+                self.expect_damaged("small.census.sqlite")
         write_census(census, "0" * 64, CENSUS_ROWS)
         self.expect(1, self.hexatlas("table", "check", "small.hxt"))
         self.write("small.census.sqlite", b"no database")

@@ -250,6 +250,11 @@ TEST(TableSabotage, NoDamagedBlockIsAccepted) {
   }
   // A frame that unpacks to much more than the directory says.
   refusals.expect(with_block(frame_of_zeros()), "a frame that is too long");
+  // What unpacks to a gigabyte is not unpacked.
+  std::string large = good;
+  sabotage::put_at(large, parts.directory + 12, std::uint64_t{1} << 30, 4);
+  seal(large);
+  EXPECT_NE(check_table_bytes(large).reason.find("more than 64 MiB"), std::string::npos);
 }
 
 }  // namespace

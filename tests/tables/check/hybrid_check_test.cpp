@@ -213,6 +213,24 @@ HybridMesh fan(int count, int degrees) {
   return mesh;
 }
 
+/// Five hexahedra around an axis, facet to facet, of so many degrees together at its ends.
+HybridMesh twisted_fan(double below, double above) {
+  constexpr std::uint32_t kCount = 5;
+  HybridMesh mesh{{{0, 0, 0}, {0, 0, 1}}, {}, {}, {}, {}};
+  for (std::uint32_t i = 0; i <= 2 * kCount; ++i)  // an arm, and a corner between two of them
+    for (const double z : {0.0, 1.0}) {
+      const double whole = (z == 0 ? below : above) * std::numbers::pi / 180;
+      const double angle = whole * (i / (2.0 * kCount) - 0.5);
+      const double r = i % 2 == 0 ? 1 : 1.7 * std::cos(whole / (2 * kCount));
+      mesh.points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+    }
+  for (std::uint32_t c = 0; c < kCount; ++c) {
+    const std::uint32_t arm = 2 + 4 * c;
+    mesh.hexahedra.push_back({0, arm, arm + 2, arm + 4, 1, arm + 1, arm + 3, arm + 5});
+  }
+  return mesh;
+}
+
 TEST(HybridCheck, OnceAroundEachEdge) {
   EXPECT_EQ(broken(fan(5, 72)), HybridLaw::kNone);
   EXPECT_EQ(broken(fan(3, 120)), HybridLaw::kNone);
@@ -232,6 +250,11 @@ TEST(HybridCheck, OnceAroundEachEdge) {
   EXPECT_EQ(two({0, 1, 2, 5}, {0, 1, 3, 4}), HybridLaw::kAroundEdge);
   EXPECT_EQ(two({0, 1, 2, 6}, {0, 1, 4, 6}), HybridLaw::kOppositeSides);
   EXPECT_EQ(two({0, 1, 2, 4}, {0, 1, 5, 6}), HybridLaw::kNone);
+  // Hexahedra that twist, so that they are less than a turn at one end of the axis only.
+  for (const bool is_wide_above : {true, false})
+    EXPECT_EQ(broken(twisted_fan(is_wide_above ? 300 : 420, is_wide_above ? 420 : 300)),
+              HybridLaw::kAroundEdge);
+  EXPECT_EQ(broken(twisted_fan(300, 340)), HybridLaw::kNone);
   // Cut through the axis in tetrahedra and pyramids, the double fan is found as well.
   HybridMesh mesh = fan(5, 144);
   const auto top = static_cast<std::uint32_t>(mesh.points.size());

@@ -231,10 +231,16 @@ TEST(MeshCheck, ComparesTheQuadsThatTheFileLists) {
   example.mesh.quads = example.surface.quads;
   std::swap(example.mesh.quads[0], example.mesh.quads[7]);
   EXPECT_TRUE(check_mesh(example.mesh, nullptr).accepted);
-  example.mesh.quads.push_back(example.mesh.quads[0]);
+  example.mesh.quads.push_back(example.mesh.quads[0]);  // in two groups
+  EXPECT_TRUE(check_mesh(example.mesh, nullptr).accepted);
+  const Hexahedron& cell = example.mesh.hexahedra[0];
+  example.mesh.quads = {{cell[1], cell[5], cell[6], cell[2]}};  // between the two
+  EXPECT_TRUE(check_mesh(example.mesh, nullptr).accepted);
+  example.mesh.quads = {example.surface.quads[3], {cell[0], cell[1], cell[6], cell[7]}};
   expect_broken(example.mesh, nullptr, Law::kListedQuads, "listed");
-  example.mesh.quads = example.surface.quads;
-  example.mesh.quads.pop_back();
+  example.mesh.quads = {{cell[0], cell[1], cell[2], cell[2]}};
+  expect_broken(example.mesh, nullptr, Law::kListedQuads, "listed");
+  example.mesh.quads = {{cell[0], cell[1], cell[2], 99}};
   expect_broken(example.mesh, nullptr, Law::kListedQuads, "listed");
 }
 

@@ -319,6 +319,28 @@ TEST(ReadMesh, RefusesMalformedVtu) {
   bad(kVtkInline, "AQAAAACAAAAgAQAAMgAAAA==", "AQAAAACAAAAgAQAA////fw==", "too early");
 }
 
+// Three more than 2^61 words are more bytes than 64 bits count.
+TEST(ReadMesh, RefusesMoreCompressedBlocksThanThereAreBytes) {
+  const std::string header("\0\0\0\0\0\0\0\x20", 8);
+  const std::string file =
+      "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+      "compressor=\"vtkZLibDataCompressor\"><UnstructuredGrid>"
+      "<Piece NumberOfPoints=\"1\" NumberOfCells=\"1\"><Points>"
+      "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0</DataArray>"
+      "</Points><Cells>"
+      "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"appended\" offset=\"0\"/>"
+      "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">1152921504606846975"
+      "</DataArray><DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">12</DataArray>"
+      "</Cells></Piece></UnstructuredGrid><AppendedData encoding=\"raw\">\n_" +
+      header + std::string(16, '\1') + "\n</AppendedData></VTKFile>\n";
+  try {
+    static_cast<void>(parse_mesh("a.vtu", file));
+    ADD_FAILURE() << "is read";
+  } catch (const Malformed& error) {
+    EXPECT_NE(std::string(error.what()).find("too early"), std::string::npos) << error.what();
+  }
+}
+
 TEST(ReadMesh, RefusesMalformedMedit) {
   const std::string good = examples::medit(sample());
   const auto bad = changes_of("a.mesh", good);

@@ -59,6 +59,8 @@ TEST(ReadPoints, RefusesDamagedPly) {
         edit(kPlyAscii, "0.5 3 7 8 9", "0.5 -3 7 8 9"),
         edit(kPlyAscii, "0 255 0 0 0", "nan 255 0 0 0"),
         edit(kPlyAscii, "element camera", "camera"),
+        std::string("ply\nformat ascii 1.0\nelement vertex 9223372036854775807\nend_header\n"),
+        std::string("ply\nformat ascii 1.0\nelement vertex 90000000000\nend_header\n"),
         ply_binary().substr(0, ply_binary().size() - 60),
         kPlyAscii.substr(0, kPlyAscii.size() - 40)})
     EXPECT_THROW(static_cast<void>(parse_points("a.ply", bytes)), Malformed) << bytes;
