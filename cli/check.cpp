@@ -25,7 +25,7 @@
 namespace hexatlas::cli {
 namespace {
 
-std::string json_line(const check::Verdict& verdict) {
+std::string json_line(const check::Verdict& verdict, const check::ValidInSpace& in_space) {
   nlohmann::ordered_json json;
   json["accepted"] = verdict.accepted;
   json["undecided"] = verdict.undecided;
@@ -37,19 +37,29 @@ std::string json_line(const check::Verdict& verdict) {
   json["hexahedra"] = verdict.hexahedra;
   json["boundary_quads"] = verdict.boundary_quads;
   json["ball_proof"] = verdict.ball_proof;
+  json["valid_in_space"] = in_space.valid;
+  json["undecided_in_space"] = in_space.undecided;
   return to_line(json);
 }
 
-std::string sentence(const CheckOptions& options, const check::Verdict& verdict) {
+std::string share_of(std::uint64_t some, std::uint64_t all) {
+  if (some == all) return "all";
+  return some == 0 ? "none" : fmt::format("only {}", some);
+}
+
+std::string sentence(const CheckOptions& options, const check::Verdict& verdict,
+                     const check::ValidInSpace& in_space) {
   if (!verdict.accepted)
     return fmt::format("{}: {}: {}\n", options.mesh, verdict.undecided ? "undecided" : "rejected",
                        verdict.reason);
   return fmt::format(
       "{}: accepted: {}, {} vertices ({} interior), {} edges, {} quads, {} of them on "
-      "the boundary; a ball by {}{}\n",
+      "the boundary; a ball by {}{}; {} of the hexahedra valid in space{}\n",
       options.mesh, counted(verdict.hexahedra, "hexahedron", "hexahedra"), verdict.vertices,
       verdict.interior_vertices, verdict.edges, verdict.quads, verdict.boundary_quads,
-      verdict.ball_proof, options.boundary.empty() ? "" : "; its boundary is " + options.boundary);
+      verdict.ball_proof, options.boundary.empty() ? "" : "; its boundary is " + options.boundary,
+      share_of(in_space.valid, verdict.hexahedra),
+      in_space.undecided == 0 ? "" : fmt::format(", {} not decided", in_space.undecided));
 }
 
 struct NamedCounts {
@@ -99,7 +109,9 @@ std::string sentence(const std::string& file, const check::CatalogueVerdict& ver
     if (verdict.interior != 0)
       text += " with " + counted(static_cast<std::size_t>(verdict.interior), "interior vertex",
                                  "interior vertices");
-    text += fmt::format(", {} labelled", verdict.labelled);
+    text += fmt::format(", {} labelled; {}", verdict.labelled,
+                        verdict.claims_exhaustive ? "it claims that these are all"
+                                                  : "it does not claim that these are all");
   } else {
     text += fmt::format("{} with {} vertices", counted(verdict.classes, "ball", "balls"),
                         verdict.vertices);
@@ -280,7 +292,9 @@ ExitCode check_one_mesh(const CheckOptions& options, std::string_view bytes) {
   std::optional<check::Surface> surface;
   if (!options.boundary.empty()) surface = check::read_surface(options.boundary);
   const check::Verdict verdict = check::check_mesh(mesh, surface ? &*surface : nullptr);
-  print(options.json ? json_line(verdict) : sentence(options, verdict));
+  const check::ValidInSpace in_space =
+      verdict.accepted ? check::valid_in_space(mesh) : check::ValidInSpace{};
+  print(options.json ? json_line(verdict, in_space) : sentence(options, verdict, in_space));
   if (verdict.accepted && verdict.boundary_reversed)
     say(fmt::format("note: the quads of {} face the other way than the boundary of the mesh",
                     options.boundary));

@@ -159,6 +159,9 @@ void add_check(CLI::App& app, Action& action) {
       ->needs(points);
   command->add_flag("--json", options->json, "Print one JSON object");
   command->footer(
+      "A mesh of hexahedra is judged by its labels: a ball, with this boundary. How many of the\n"
+      "hexahedra are valid where the points are is told beside it, and no reason to reject it;\n"
+      "--hybrid judges the places as well.\n"
       "Examples:\n"
       "  hexatlas check pyramid.vtu --boundary pyramid.obj\n"
       "  hexatlas check --delaunay tetrahedra.vtu --points points.xyz\n"
@@ -213,17 +216,40 @@ void expect_different_files(const NamedFile& input, const std::vector<NamedFile>
   if (const auto same = same_files(input, outputs)) throw CLI::ValidationError(*same);
 }
 
-void add_seed(CLI::App& command, std::uint64_t& seed) {
+CLI::Option* add_seed(CLI::App& command, std::uint64_t& seed, const char* of_what) {
   const auto read = [&seed](const std::string& word) {
     const char* const last = word.data() + word.size();
     const auto [end, error] = std::from_chars(word.data(), last, seed);
     if (error != std::errc{} || end != last)
       throw CLI::ValidationError("--seed", "`" + word + "` is no integer from 0 to 2^64 - 1");
   };
-  command.add_option_function<std::string>("--seed", read, "Seed of the search")
+  return command.add_option_function<std::string>("--seed", read, of_what)
       ->type_name("UINT")
       ->default_str(std::to_string(seed));
 }
+
+namespace {
+
+/// CLI11 takes "010" for eight and "0x10" for sixteen.
+std::string in_decimal(const std::string& word) {
+  const std::size_t sign = word.starts_with('-') || word.starts_with('+') ? 1 : 0;
+  const std::size_t first = word.find_first_not_of('0', sign);
+  if (first == sign || word.size() == sign) return word;
+  if (word.find_first_not_of("0123456789", sign) != std::string::npos)
+    throw CLI::ValidationError("`" + word + "` is no number in decimal digits");
+  return word.substr(0, sign) + (first == std::string::npos ? "0" : word.substr(first));
+}
+
+/// Of all options that are integers.
+void read_in_decimal(CLI::App& app) {
+  for (CLI::Option* option : app.get_options())
+    if (option->get_type_name().starts_with("INT") || option->get_type_name().starts_with("UINT"))
+      option->transform(in_decimal);
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    read_in_decimal(*command);
+}
+
+}  // namespace
 
 ExitCode run_command_line(int argc, char** argv) {
   CLI::App app{"hexatlas: exact combinatorial enumeration in mesh generation", "hexatlas"};
@@ -253,6 +279,7 @@ ExitCode run_command_line(int argc, char** argv) {
   add_enum(app, action);
   add_realize(app, action);
   add_reproduce(app, action);
+  read_in_decimal(app);
   try {
     app.parse(argc, argv);
     if (const CLI::Option* option = option_without_value(app))

@@ -124,14 +124,14 @@ void add_hexmeshes(CLI::App& parent, Action& action) {
   estimate->check(CLI::Range(2, 1000000000));
   for (auto* other : {output, shard, state, nodes, certificate, first}) estimate->excludes(other);
   for (auto* other : {output, shard, state, nodes, first}) certificate->excludes(other);
-  command->add_option("--seed", options->seed, "Of the estimate")
-      ->capture_default_str()
-      ->needs(estimate);
+  add_seed(*command, options->seed, "Of the estimate")->needs(estimate);
   command->add_flag("--json", options->json, "Print one JSON object");
   add_threads(*command, options->threads);
   command->footer(
       "Exit code 1 if the boundary is proven to have no mesh, without a search, or if a "
-      "certificate\nis asked for and there is a mesh; 4 if the search did not end.\n" +
+      "certificate\nis asked for and there is a mesh; 4 if the search did not end, unless --first "
+      "has "
+      "found one.\n" +
       example("hexatlas enum hexmeshes schneiders-pyramid --max-hexes 16 --ball "
               "--certificate pyramid-16.hxb"));
   command->callback([options, &action] {

@@ -26,7 +26,8 @@ void add_report(CLI::App& app, Options& options) {
   app.add_flag("--json", options.json, "Print one JSON object");
   app.add_option("--report", options.report,
                  "Write a page on the mesh: what was done, quality, singular edges (.html); - for "
-                 "standard output");
+                 "standard output")
+      ->check(ends_in({".html", ".htm"}));
   add_require_valid(app, options.require_valid);
 }
 
@@ -77,8 +78,12 @@ void add_mesh_untangle(CLI::App& mesh, Action& action) {
   add_report(*command, *options);
   add_effort(*command, options->effort, "harmonic places with --harmonic, else those given");
   add_threads(*command, options->threads);
-  command->footer("With -o - the summary, or the JSON, goes to standard error.\n" +
-                  example("hexatlas mesh untangle mesh.vtu -o better.vtu"));
+  command->footer(
+      "Regions, references and quads that the file lists are not kept; what is between two "
+      "regions\n"
+      "moves as all of the interior. With -o - the summary, or the JSON, goes to standard "
+      "error.\n" +
+      example("hexatlas mesh untangle mesh.vtu -o better.vtu"));
   command->callback([options, &action] { action = [options] { return mesh_untangle(*options); }; });
 }
 
@@ -136,7 +141,11 @@ void add_mesh_hybrid(CLI::App& mesh, Action& action) {
                  "The triangles of the surface stay, or are split, also where it is flat and other "
                  "diagonals make more cubes")
       ->needs(fill);
-  command->add_option("--quality", options->quality, "Least scaled Jacobian of a cell, exclusive")
+  command
+      ->add_option(
+          "--quality", options->quality,
+          "Least scaled Jacobian of a cell that is chosen, exclusive; what closes the gaps "
+          "between them may have less")
       ->check(number_between(0, 0.999))
       ->capture_default_str();
   command->add_flag("--conforming,!--no-conforming", options->conforming,
@@ -179,8 +188,11 @@ void add_mesh_quads(CLI::App& mesh, Action& action) {
       ->check(number_between(0, 180))
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print one JSON object");
-  command->footer("The points stay; triangles of no quad stay. Colours and groups are not kept.\n" +
-                  example("hexatlas mesh quads triangles.obj -o quads.obj"));
+  command->footer(
+      "The points stay; triangles of no quad stay. References of MEDIT and entities of Gmsh go "
+      "with\n"
+      "the quads, names of groups do not.\n" +
+      example("hexatlas mesh quads triangles.obj -o quads.obj"));
   command->callback([options, &action] { action = [options] { return mesh_quads(*options); }; });
 }
 
@@ -262,6 +274,7 @@ void add_simplify(CLI::App& app, Action& action) {
   command->footer(
       "Boundary points stay bit for bit; interior ones are placed anew if the mesh gets smaller;\n"
       "fewer hexahedra can be worse ones, down to inverted: the quality of both meshes is told.\n"
+      "Regions, references and quads that the file lists are not kept, nor what is between them.\n"
       "Exit code 4 if it was stopped; the least mesh so far is written then. With -o - the\n"
       "summary, or the JSON, goes to standard error.\n" +
       example("hexatlas simplify large.vtu -o small.vtu"));

@@ -50,8 +50,9 @@ inline CLI::Option* add_shard(CLI::App& command, std::string& shard, const char*
   });
 }
 
-/// The option --seed. CLI11's own conversion of a word would take "010" for eight.
-void add_seed(CLI::App& command, std::uint64_t& seed);
+/// The option --seed.
+CLI::Option* add_seed(CLI::App& command, std::uint64_t& seed,
+                      const char* of_what = "Seed of the search");
 
 void add_mesh(CLI::App& app, Action& action);
 void add_simplify(CLI::App& app, Action& action);

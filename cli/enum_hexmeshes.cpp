@@ -216,7 +216,8 @@ ExitCode write_certificate(const EnumHexmeshesOptions& options, const hexes::Sea
 HexFrontier frontier_of(const EnumHexmeshesOptions& options, const hexes::HexmeshProblem& problem,
                         const build::HexmeshTask& task) {
   if (!options.state.empty() && is_there(options.state))
-    return build::frontier_from(core::read_file(options.state), task, options.state);
+    return build::frontier_from(core::read_file(options.state, core::kMaxStateBytes), task,
+                                options.state);
   return problem.begin(task.part, task.parts);
 }
 
@@ -225,7 +226,8 @@ void search(const EnumHexmeshesOptions& options, const hexes::HexmeshProblem& pr
   result.frontier = frontier_of(options, problem, result.task);
   ProgressLine progress;
   constexpr std::uint64_t kProbes = 5000;  // less than a second
-  const double expected = progress.is_watched() ? problem.estimate(kProbes, 1, 1).nodes : 0;
+  const double estimate = progress.is_watched() ? problem.estimate(kProbes, 1, 1).nodes : 0;
+  const std::size_t expected = estimate < 0x1p63 ? static_cast<std::size_t>(estimate) : 0;
   const std::string phase = progress.is_watched() ? "nodes, of an estimate" : "nodes";
   double saved = seconds();
   const auto save = [&] {
@@ -239,8 +241,7 @@ void search(const EnumHexmeshesOptions& options, const hexes::HexmeshProblem& pr
                    .max_nodes = options.max_nodes,
                    .stop = &stop_requested()},
                   [&] {
-                    progress.update(phase, result.frontier.counts.nodes,
-                                    static_cast<std::size_t>(expected));
+                    progress.update(phase, result.frontier.counts.nodes, expected);
                     if (seconds() - saved >= options.save_every) save();
                     return !(options.first && !result.frontier.found.empty());
                   });

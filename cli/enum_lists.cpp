@@ -37,15 +37,16 @@ void print_list(const EnumVerticesOptions& options, const char* kind, std::size_
     for (const auto& [size, count] : by_tetrahedra)
       json["by_tetrahedra"][std::to_string(size)] = count;
     json["exhaustive"] = false;
-    print(to_line(json));
+    tell(options.output, to_line(json));
     return;
   }
   std::string text = fmt::format("{:>10} {:>12}\n", "tetrahedra", kind);
   for (const auto& [size, count] : by_tetrahedra)
     text += fmt::format("{:>10} {:>12}\n", size, count);
-  print(text + fmt::format("{} {} with {} vertices found by flips; that none is missing is not "
-                           "proven\n",
-                           number, kind, options.vertices));
+  tell(options.output,
+       text + fmt::format("{} {} with {} vertices found by flips; that none is missing is not "
+                          "proven\n",
+                          number, kind, options.vertices));
 }
 
 }  // namespace

@@ -97,12 +97,13 @@ ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
   const check::Verdict verdict = check::check_mesh(for_judge(mesh), nullptr);
   if (!verdict.accepted)
     throw core::InvalidInput(table.path(), "holds a mesh that is not valid: " + verdict.reason);
-  write_mesh(options.output, mesh);
   const quality::Report report = quality::report(mesh);
   const double elapsed = seconds() - start;
+  std::string page;
   if (!options.report.empty())
-    core::write_file(options.report,
-                     report_page(report_of(options, boundary, verdict, report, elapsed), mesh));
+    page = report_page(report_of(options, boundary, verdict, report, elapsed), mesh);
+  write_mesh(options.output, mesh);  // last, so that no file is left without memory
+  if (!options.report.empty()) core::write_file(options.report, page);
   tell(files, options.json ? json_line(boundary, mesh, options.free_boundary, report, elapsed)
                            : summary(boundary, mesh, report, options.output));
   return answer_for(report, options.require_valid);

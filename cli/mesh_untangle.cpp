@@ -74,12 +74,13 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
                      {.effort = options.effort,
                       .threads = parallel::threads_or_all(options.threads),
                       .starts_as_given = !options.harmonic});
-  write_mesh(options.output, mesh);
   const quality::Report report = quality::report(mesh);
   const double elapsed = seconds() - start;
+  std::string page;
   if (!options.report.empty())
-    core::write_file(options.report,
-                     report_page(report_of(options, moved, before, report, elapsed), mesh));
+    page = report_page(report_of(options, moved, before, report, elapsed), mesh);
+  write_mesh(options.output, mesh);  // last, so that no file is left without memory
+  if (!options.report.empty()) core::write_file(options.report, page);
   if (options.json) {
     nlohmann::ordered_json json;
     json["hexahedra"] = report.cells;

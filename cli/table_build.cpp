@@ -76,7 +76,7 @@ build::TableSearch begin_with(const std::vector<std::string>& files,
   std::optional<build::TableSearch> search;
   std::vector<format::Table> tables;
   for (const std::string& file : files) {
-    std::string bytes = core::read_file(file);
+    std::string bytes = core::read_file(file, core::kMaxStateBytes);
     if (!build::TableSearch::is_saved(bytes)) {
       tables.push_back(format::Table::from_bytes(std::move(bytes), file));
       continue;
@@ -107,8 +107,8 @@ build::TableSearch begin(const TableBuildOptions& options) {
           fmt::format("note: {} goes on with what it has; only a new search begins with what "
                       "--start-from names",
                       options.state));
-    return build::TableSearch::from_bytes(core::read_file(options.state), std::move(targets),
-                                          search, options.state);
+    return build::TableSearch::from_bytes(core::read_file(options.state, core::kMaxStateBytes),
+                                          std::move(targets), search, options.state);
   }
   if (options.so_far)
     throw core::InvalidInput(options.state, "is not there: there is no search so far");
@@ -196,7 +196,7 @@ void keep_known(const std::vector<std::string>& files, int threads,
   KnownRows known(rows, threads);
   for (const std::string& file : files) {
     if (!is_there(file)) continue;  // the search was saved since
-    std::string bytes = core::read_file(file);
+    std::string bytes = core::read_file(file, core::kMaxStateBytes);
     if (build::TableSearch::is_saved(bytes)) continue;
     known.keep(format::Table::from_bytes(std::move(bytes), file), found);
   }

@@ -129,7 +129,7 @@ std::string text_of(const format::Table& table, const Statistics& statistics) {
                     "`hexatlas table check` judges it\n",
                     table.complete_through());
   text +=
-      "bound: no mesh of any of them has fewer hexahedra, as the table claims; proven: meshes that "
+      "bound: no ball of any of them has fewer hexahedra, as the table claims; proven: meshes that "
       "have as few as their own bound\n";
   text += distribution_lines(statistics);
   if (statistics.sources.empty()) return text;

@@ -107,7 +107,9 @@ std::optional<complex::HexComplex> searched(const format::Table& table, const ca
 ExitCode table_list(const TableListOptions& options) {
   if (would_lose_table(options.table, {"--output", options.output}, "table list"))
     return ExitCode::usage;
-  const format::Table table = open_table(options.table);
+  const format::Table table =
+      options.quads == 0 ? open_table(options.table)
+                         : table_for(options.table, static_cast<std::size_t>(options.quads));
   std::string text = "code\tquads\thexahedra\tinterior_vertices\tlower_bound\n";
   for (std::size_t i = 0; i < table.size(); ++i) {
     const format::TableEntry entry = table.entry(i);

@@ -35,8 +35,10 @@ class Descriptor {
 };
 
 /// `expected`: how many bytes there will be if nobody writes meanwhile; 0 if unknown.
-std::string read_all(int fd, const std::string& name, std::uint64_t expected = 0) {
-  if (expected > kMaxFileBytes) throw InvalidInput(name, "is larger than 4 GiB");
+std::string read_all(int fd, const std::string& name, std::uint64_t most,
+                     std::uint64_t expected = 0) {
+  const std::string too_large = "is larger than " + std::to_string(most >> 30U) + " GiB";
+  if (expected > most) throw InvalidInput(name, too_large);
   std::string bytes;
   bytes.reserve(expected);
   std::vector<char> buffer(std::size_t{1} << 16U);
@@ -46,7 +48,7 @@ std::string read_all(int fd, const std::string& name, std::uint64_t expected = 0
     if (got < 0) throw InvalidInput(name, "cannot be read: " + system_message());
     if (got == 0) return bytes;
     bytes.append(buffer.data(), static_cast<std::size_t>(got));
-    if (bytes.size() > kMaxFileBytes) throw InvalidInput(name, "is larger than 4 GiB");
+    if (bytes.size() > most) throw InvalidInput(name, too_large);
   }
 }
 
@@ -120,8 +122,8 @@ void replace_file(const std::filesystem::path& target, const Produce& produce) {
 
 }  // namespace
 
-std::string read_file(const std::string& path) {
-  if (path == "-") return read_all(STDIN_FILENO, "standard input");
+std::string read_file(const std::string& path, std::uint64_t most) {
+  if (path == "-") return read_all(STDIN_FILENO, "standard input", most);
   const Descriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (fd.get() < 0) throw InvalidInput(path, "cannot be opened: " + system_message());
   struct stat status {};
@@ -129,7 +131,7 @@ std::string read_file(const std::string& path) {
     throw InvalidInput(path, "cannot be read: " + system_message());
   if (S_ISDIR(status.st_mode)) throw InvalidInput(path, "is a directory");
   const bool has_size = S_ISREG(status.st_mode) && status.st_size > 0;
-  return read_all(fd.get(), path, has_size ? static_cast<std::uint64_t>(status.st_size) : 0);
+  return read_all(fd.get(), path, most, has_size ? static_cast<std::uint64_t>(status.st_size) : 0);
 }
 
 void write_file(const std::string& path, std::string_view bytes) {

@@ -9,12 +9,13 @@
 
 namespace hexatlas::core {
 
-/// The largest file read into memory.
+/// The largest file read into memory, and the largest one of this program's own states.
 inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{4} << 30U;
+inline constexpr std::uint64_t kMaxStateBytes = std::uint64_t{1} << 44U;
 
 /// The bytes of a regular file, or of standard input for "-".
-/// Throws InvalidInput (missing, a directory, not readable, larger than kMaxFileBytes).
-[[nodiscard]] std::string read_file(const std::string& path);
+/// Throws InvalidInput (missing, a directory, not readable, larger than `most`).
+[[nodiscard]] std::string read_file(const std::string& path, std::uint64_t most = kMaxFileBytes);
 
 /// Replaces `path` by a file with these bytes, or leaves what was there: the bytes go to
 /// a temporary file in the same folder, which is flushed to disk and then renamed; "-" is

@@ -16,9 +16,10 @@ using Root = search::Root<HexSearch::Choice>;
 /// Writes the records below a state, or stops at a depth and lists what it left out.
 class Writer {
  public:
+  /// `has_found`, of all writers: one mesh, and no records matter.
   Writer(const complex::Quadrangulation& boundary, const SearchLimits& limits,
-         const std::atomic<bool>* stop)
-      : search_(boundary, limits, {.barred_tops = false}), stop_(stop) {}
+         std::atomic<bool>& has_found, const std::atomic<bool>* stop)
+      : search_(boundary, limits, {.barred_tops = false}), has_found_(has_found), stop_(stop) {}
 
   /// The states with `depth` hexahedra are left out: segments() are the bytes between them.
   void write_top(std::size_t depth) {
@@ -42,7 +43,6 @@ class Writer {
   [[nodiscard]] std::string& bytes() { return bytes_; }
   [[nodiscard]] std::uint64_t records() const { return records_; }
   [[nodiscard]] bool is_stopped() const { return is_stopped_; }
-  [[nodiscard]] bool has_found() const { return has_found_; }
 
  private:
   void byte(std::size_t value) {
@@ -58,8 +58,8 @@ class Writer {
 
   void state() {
     is_stopped_ = is_stopped_ || (stop_ != nullptr && stop_->load(std::memory_order_relaxed));
-    has_found_ = has_found_ || search_.is_complete();
-    if (is_stopped_ || has_found_) return;
+    if (search_.is_complete()) has_found_ = true;
+    if (is_stopped_ || has_found_.load(std::memory_order_relaxed)) return;
     if (search_.mesh().cells().size() == depth_) {
       left_out_.push_back(path_);
       segments_.push_back(std::exchange(bytes_, {}));
@@ -99,6 +99,7 @@ class Writer {
   }
 
   HexSearch search_;
+  std::atomic<bool>& has_found_;
   const std::atomic<bool>* stop_;
   std::size_t depth_ = 0;
   Root path_;
@@ -106,7 +107,7 @@ class Writer {
   std::uint64_t records_ = 0;
   std::vector<Root> left_out_;
   std::vector<std::string> segments_;
-  bool is_stopped_ = false, has_found_ = false;
+  bool is_stopped_ = false;
 };
 
 }  // namespace
@@ -114,26 +115,27 @@ class Writer {
 BoundLog bound_log(const complex::Quadrangulation& boundary, const SearchLimits& limits,
                    const BoundLogOptions& options) {
   constexpr std::size_t kDepth = 2;  // hexahedra: some hundreds of parts
-  Writer top(boundary, limits, options.stop);
+  std::atomic<bool> has_found = false;
+  Writer top(boundary, limits, has_found, options.stop);
   top.write_top(kDepth);
   const std::vector<Root>& roots = top.left_out();
   BoundLog log;
   log.records = top.records();
-  log.has_found_a_mesh = top.has_found();
-  log.is_complete = !top.is_stopped() && !top.has_found();
+  bool is_stopped = top.is_stopped();
   std::vector<std::string> parts(roots.size());
   std::mutex mutex;
   std::size_t done = 0;
   parallel::parallel_for(options.threads, roots.size(), [&](std::size_t i) {
-    Writer part(boundary, limits, options.stop);
+    Writer part(boundary, limits, has_found, options.stop);
     part.write_below(roots[i]);
     parts[i] = std::move(part.bytes());
     const std::lock_guard lock(mutex);
     log.records += part.records();
-    log.has_found_a_mesh = log.has_found_a_mesh || part.has_found();
-    log.is_complete = log.is_complete && !part.is_stopped() && !part.has_found();
+    is_stopped = is_stopped || part.is_stopped();
     if (options.progress) options.progress(++done, roots.size());
   });
+  log.has_found_a_mesh = has_found;
+  log.is_complete = !is_stopped && !has_found;
   log.bytes = std::move(top.segments().front());
   for (std::size_t i = 0; i < parts.size(); ++i) log.bytes += parts[i] + top.segments()[i + 1];
   return log;

@@ -47,11 +47,11 @@ class FirstException {
 /// Starts up to `count` threads; where the system has no more, what it has must do.
 template <class Work>
 void start(std::vector<std::jthread>& pool, int count, const Work& work) {
-  pool.reserve(static_cast<std::size_t>(count));
   try {
+    pool.reserve(static_cast<std::size_t>(count));
     while (pool.size() < static_cast<std::size_t>(count)) pool.emplace_back(work);
   } catch (const std::system_error&) {  // too many, or no memory for a stack
-    return;
+  } catch (const std::bad_alloc&) {     // none for what a thread begins with
   }
 }
 

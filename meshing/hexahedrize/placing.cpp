@@ -1,13 +1,13 @@
 #include "meshing/hexahedrize/placing.hpp"
 
 #include <algorithm>
-#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "enum/core/checks.hpp"
 #include "meshing/hexahedrize/round_frame.hpp"
+#include "meshing/hexahedrize/sides.hpp"
 #include "meshing/quality/report.hpp"
 #include "realize/untangle/koebe.hpp"
 
@@ -33,7 +33,11 @@ void place_in_a_frame(mesh::HexMesh& mesh, std::size_t first_free,
                       const untangle::Options& options) {
   constexpr double kSkew = 2;  // of a body nearly four times as long as it is wide
   place(mesh, first_free, options);
-  const auto frame = RoundFrame::of(std::span(mesh.points).first(first_free));
+  const std::vector<std::uint8_t> is_used = points_of_cells(mesh);
+  std::vector<mesh::Point> fixed;
+  for (std::size_t v = 0; v < first_free; ++v)
+    if (is_used[v] != 0) fixed.push_back(mesh.points[v]);
+  const auto frame = RoundFrame::of(fixed);
   if (!frame || frame->skewness() < kSkew) return;
   const quality::Report here = quality::report(mesh);
   if (here.valid == here.cells) return;

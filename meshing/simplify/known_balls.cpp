@@ -10,6 +10,7 @@
 #include "enum/flips/front.hpp"
 #include "enum/flips/meeting.hpp"
 #include "meshing/simplify/small_meshes.hpp"
+#include "tables/fill/filled.hpp"
 
 namespace hexatlas::simplify {
 namespace {
@@ -89,7 +90,8 @@ const std::vector<Ball>& KnownBalls::with(const canon::Code& code, int hexahedra
     if (!ordinal && hexahedra > kMaxSmallMesh) return none_;
     at = families_.try_emplace(code).first;
     if (ordinal)
-      at->second.balls.push_back(ball_of(table_->mesh(*ordinal), canon::decode(code).value()));
+      at->second.balls.push_back(
+          ball_of(fill::mesh_in(*table_, *ordinal, table_->path()), canon::decode(code).value()));
   }
   Family& family = at->second;
   if (hexahedra <= kMaxSmallMesh && hexahedra > family.searched && hexahedra < family.given_up)

@@ -16,7 +16,6 @@ Problem::Problem(Points points, const std::vector<Cell>& cells,
     if (moving == 0) continue;
     for (const std::uint32_t v : cells[c]) uses[v] += is_free[v];
     cells_.push_back(cells[c]);
-    origins_.push_back(c);
     seen_.push_back(samples_that_see(moving));
     masks_.push_back(kCornerSamples & seen_.back());
   }

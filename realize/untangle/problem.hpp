@@ -27,7 +27,6 @@ class Problem {
 
   [[nodiscard]] std::size_t cells() const { return cells_.size(); }
   [[nodiscard]] const std::vector<Cell>& all_cells() const { return cells_; }
-  [[nodiscard]] std::size_t cell_in_mesh(std::size_t c) const { return origins_[c]; }
   [[nodiscard]] const std::vector<std::uint32_t>& free_points() const { return free_; }
   [[nodiscard]] std::size_t variables() const { return 3 * free_.size(); }
 
@@ -86,7 +85,6 @@ class Problem {
 
   Points points_;
   std::vector<Cell> cells_;
-  std::vector<std::size_t> origins_;  ///< of a cell: its number in the mesh
   std::vector<SampleMask> masks_;     ///< of a cell: the samples looked at
   std::vector<SampleMask> seen_;      ///< of a cell: the samples that depend on a free point
   std::vector<std::uint32_t> free_;

@@ -187,6 +187,8 @@ hexes::HexFrontier frontier_from(std::string_view text, const HexmeshTask& task,
     if (!is_node(search, root)) lines.fail("no node of this search");
     frontier.pending.push_back(std::move(root));
   }
+  (void)lines.line();  // the digest
+  if (!lines.at_end()) lines.fail("more roots than said");
   return frontier;
 }
 

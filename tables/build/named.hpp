@@ -26,7 +26,7 @@ inline constexpr std::array<NamedBoundary, 9> kNamedBoundaries{{
      "a triangular prism, its triangles cut into 3 quads and its sides into 4", 6, kMidpoint},
     {"octagonal-spindle", "q1:088a577f",
      "eight quads around two poles, the tetragonal trapezohedron (Mitchell 1999)", 40,
-     "Verhetsel, Pellerin and Remacle 2019, slides"},
+     "Verhetsel, Pellerin and Remacle 2018"},
     {"rhombic-dodecahedron", "q1:088a2a5ddf7f",
      "twelve quads, boundary of four hexahedra: a tetrahedron whose triangles are cut into 3 quads",
      4, kMidpoint},

@@ -163,15 +163,15 @@ std::size_t TableSearch::take_over(const format::Table& table, const std::string
 }
 
 void TableSearch::next_round() {
-  phase_ = ++round_ == options_.rounds ? Phase::finished : Phase::sweep;
+  phase_ = ++round_ >= options_.rounds ? Phase::finished : Phase::sweep;
   position_ = 0;
   balls_.rewind();
   symmetric_balls_.reset();
 }
 
 TableSearch::Progress TableSearch::progress() const {
-  const std::string round =
-      "round " + std::to_string(round_ + 1) + " of " + std::to_string(options_.rounds);
+  const std::string round = "round " + std::to_string(round_ + 1) + " of " +
+                            std::to_string(std::max(options_.rounds, round_ + 1));
   if (phase_ == Phase::sweep)
     return {round + ", sweep", static_cast<std::size_t>(balls_.level()) + 1,
             static_cast<std::size_t>(options_.max_hexahedra)};

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tables/check/incidence.hpp"
+#include "tables/check/jacobian.hpp"
 #include "tables/check/judge_cells.hpp"
 
 namespace hexatlas::check {
@@ -133,6 +134,18 @@ Verdict check_mesh(const Mesh& mesh, const Surface* boundary) {
     verdict.reason = found->reason;
   }
   return verdict;
+}
+
+ValidInSpace valid_in_space(const Mesh& mesh) {
+  ValidInSpace counts;
+  for (const Hexahedron& cell : mesh.hexahedra) {
+    std::array<Point, 8> corners;
+    for (std::size_t i = 0; i < 8; ++i) corners[kCornerBits[i]] = mesh.points[cell[i]];
+    const JacobianSign sign = jacobian_sign(corners);
+    counts.valid += sign == JacobianSign::kPositive ? 1U : 0U;
+    counts.undecided += sign == JacobianSign::kUnknown ? 1U : 0U;
+  }
+  return counts;
 }
 
 }  // namespace hexatlas::check

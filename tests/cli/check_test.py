@@ -96,7 +96,8 @@ class Check(program.ProgramTest):
         said = json.loads(self.expect(0, self.check(points, CELLS, "--json")).out)
         self.assertEqual(said, {
             "accepted": True, "undecided": False, "reason": "", "vertices": 12, "interior_vertices": 0, "edges": 20,
-            "quads": 11, "hexahedra": 2, "boundary_quads": 10, "ball_proof": said["ball_proof"]})
+            "quads": 11, "hexahedra": 2, "boundary_quads": 10, "ball_proof": said["ball_proof"],
+            "valid_in_space": 2, "undecided_in_space": 0})
         self.assertIn(said["ball_proof"], ("shelling", "collapse"))
         self.expect(0, self.hexatlas("check", "mesh.vtk"))
 

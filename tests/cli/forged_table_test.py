@@ -15,6 +15,7 @@ import program
 SHIPPED = os.path.join(program.REPOSITORY, "tables", "data", "hexatlas.hxt")
 CUBE = os.path.join(program.INPUTS, "cube.obj")
 KEY = bytes.fromhex("08a5df")
+TWO_CUBES = bytes.fromhex("022972977f")
 SPINDLE = bytes.fromhex("088a577f")
 
 
@@ -71,6 +72,18 @@ class ForgedTableTest(program.ProgramTest):
                       ("mesh", "boundary", "cube", "--table", "forged.hxt", "-o", "out.vtk")):
             self.expect_fault(self.hexatlas(*words), "forged.hxt")
         self.assertEqual(self.listing(), ["forged.hxt"])
+
+    def test_no_mesh_is_made_smaller_by_it(self):
+        points = [(x, y, z) for z in range(4) for y in range(2) for x in range(2)]
+        cells = [[4 * z + i for i in (0, 1, 3, 2, 4, 5, 7, 6)] for z in range(3)]
+        self.write("three.mesh", "MeshVersionFormatted 2\nDimension 3\nVertices 16\n" +
+                   "".join(f"{x} {y} {z} 0\n" for x, y, z in points) + "Hexahedra 3\n" +
+                   "".join(" ".join(str(v + 1) for v in cell) + " 0\n" for cell in cells) + "End\n")
+        for cell in ([0] * 8, list(range(8))):
+            self.write("forged.hxt", table([cell], 0, key=TWO_CUBES))
+            self.expect_fault(self.hexatlas("simplify", "three.mesh", "-o", "out.vtk", "--table", "forged.hxt"),
+                              "forged.hxt")
+        self.assertEqual(self.listing(), ["forged.hxt", "three.mesh"])
 
     def test_bounds_go_on_with_no_such_mesh(self):
         """What lies at -o is read as well."""

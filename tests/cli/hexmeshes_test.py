@@ -135,6 +135,9 @@ class Hexmeshes(program.ProgramTest):
             text = "".join([*lines[:at], " ".join(["mesh", *changed]) + "\n", *lines[at + 1:-1]])
             self.write("saved", text + f"sha256 {hashlib.sha256(text.encode()).hexdigest()}\n")
             self.hexatlas_fails(3, "enum", "hexmeshes", *words)
+        text = "".join([*lines[:-1], "root 8\n"])  # one more than said
+        self.write("saved", text + f"sha256 {hashlib.sha256(text.encode()).hexdigest()}\n")
+        self.hexatlas_fails(3, "enum", "hexmeshes", *words)
 
     def test_a_stopped_search_claims_nothing(self):
         with self.start(PYRAMID, "--max-hexes", "22", "--json") as search:

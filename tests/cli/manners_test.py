@@ -91,6 +91,16 @@ class Usage(program.ProgramTest):
         self.wrong("table", "get", said=("--name", "--code"))
         self.wrong("table", "get", "--name", "cube", "--code", "q1:08a5df", said=("--code",))
         self.wrong("table", "build", said=("--output",))
+        for words in (("hex", "a.obj"), ("boundary", "cube"), ("untangle", "a.vtk")):
+            self.wrong("mesh", *words, "-o", "b.vtk", "--report", "c.hxt", said=("c.hxt does not end in .html",))
+
+    def test_numbers_are_decimal(self):
+        for word in ("010", "10", "+10"):
+            ran = self.expect(0, self.hexatlas("enum", "quadrangulations", "--quads", word, "--count"))
+            self.assertIn("with 10 quads", ran.out)
+        for word in ("0x8", "08a", "0b1000", "0 8"):
+            self.wrong("enum", "quadrangulations", "--quads", word, said=("--quads", word))
+        self.wrong("enum", "hexmeshes", "cube", "--max-hexes", "3", "--estimate", "10", "--seed", "-1", said=("--seed",))
 
     def test_an_empty_value_is_not_taken_for_none(self):
         for words in (("check", "a.vtk", "--boundary"), ("check", "a.hxc", "--completeness"),

@@ -5,6 +5,7 @@ makes the mesh that it makes without limit. A file that may not get as large as 
 Oracle. The exit codes of docs/architecture/README.md; limits on the address space (RLIMIT_AS), from
 one that the start of the program needs to one that is enough; limits on files (RLIMIT_FSIZE).
 """
+import os
 import resource
 import unittest
 
@@ -62,6 +63,23 @@ class OutOfMemory(program.ProgramTest):
                 break
             failed += 1
         self.assertGreaterEqual(failed, 6)
+
+    def test_a_mesh_without_its_report(self):
+        """Either both files are there or none."""
+        start = self.needed_to_start()
+        self.write("in.obj", surfaces.obj(*surfaces.grid_cube(30)))
+        self.expect(0, self.hexatlas("mesh", "hex", "in.obj", "-o", "in.vtk", "--effort", "0"))
+        codes = []
+        for more in range(0, 60, 4):
+            ran = self.limited(start + more, "mesh", "untangle", "in.vtk", "-o", "out.vtk", "--report", "out.html",
+                               "--effort", "0", "--threads", "1")
+            codes.append(ran.code)
+            there = [name for name in self.listing() if name.startswith("out")]
+            self.assertEqual((ran.code, there), (0, ["out.html", "out.vtk"]) if ran.code == 0 else (5, []))
+            for name in there:
+                os.remove(self.path(name))
+        self.assertIn(5, codes)
+        self.assertIn(0, codes)
 
     def test_threads_and_exact_numbers(self):
         """600 quads, and places for 10,000 hexahedra by many threads, each with a stack."""

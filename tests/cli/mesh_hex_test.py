@@ -134,7 +134,8 @@ class Inputs(MeshTest):
                     counts.add((json.loads(ran.out)["hexahedra"], json.loads(ran.out)["table_entry"]))
                     self.expect_mesh_of((points, quads),
                                         hex_files.read_vtk(self.read("out.vtk").decode()))
-                    self.expect(0, self.hexatlas("check", "out.vtk", "--boundary", "in." + key))
+                    judged = self.expect(0, self.hexatlas("check", "out.vtk", "--boundary", "in." + key, "--json"))
+                    self.assertEqual(json.loads(judged.out)["valid_in_space"], json.loads(ran.out)["valid"])
             self.assertEqual(len(counts), 1)
 
     def test_stretched_surfaces(self):
@@ -145,6 +146,10 @@ class Inputs(MeshTest):
             said = self.mesh_and_judge((longer, [quad[::-1] for quad in quads] if y < 0 else quads), "out.vtk",
                                        "--effort", "1")
             self.assertEqual((said["valid"], said["hexahedra"]), (36, 36), (x, y))
+        # Nor on a point in no quad, however far away.
+        longer = [(repr(100 * float(a)), b, c) for a, b, c in points] + [("1e9", "-3e9", "2e9")]
+        said = json.loads(self.expect(0, self.mesh((longer, quads), "--json", "--effort", "1")).out)
+        self.assertEqual((said["valid"], said["hexahedra"]), (36, 36))
 
     def test_same_bytes_again(self):
         surface = surfaces.read_obj(os.path.join(program.INPUTS, "schneiders-pyramid.obj"))

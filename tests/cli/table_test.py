@@ -209,6 +209,8 @@ class TwoTables(TableTest):
                 self.expect(code, self.hexatlas("mesh", "boundary", TWO_CUBES, "-o", "b.vtk", executable=self.copy))
                 self.expect(0, self.get("q1:08a5df"))
         self.expect(4, self.get(TWO_CUBES, "--table", first))
+        listed = self.expect(0, self.hexatlas("table", "list", "--quads", "10", executable=self.copy)).out
+        self.assertEqual(len(listed.splitlines()), 1 + 1)
         self.write(larger, self.good[:-1])
         self.expect_fault(self.get(TWO_CUBES), self.path(larger))
         self.expect(0, self.get("q1:08a5df"))

@@ -216,6 +216,11 @@ class TriangulationsTest(program.ProgramTest):
                 "enum", "polyhedra", "--vertices", str(vertices), "--json")).out)
             self.assertEqual(len(said["polyhedra"]), number)
         self.expect(2, self.hexatlas("enum", "spheres", "--vertices", "11"))
+        balls = self.expect(0, self.hexatlas("enum", "balls", "--vertices", "5", "-o", "balls.hxc"))
+        for more, said in (((), balls.out), (("--json",), '"balls":3')):
+            ran = self.expect(0, self.hexatlas("enum", "balls", "--vertices", "5", "-o", "-", *more))
+            self.assertEqual(ran.out.encode(errors="surrogateescape"), self.read("balls.hxc"))
+            self.assertIn(said, ran.err)
 
 
 class ReproduceTest(program.ProgramTest):

@@ -68,6 +68,13 @@ TEST(BoundCertificates, AreNotWrittenWhereThereIsAMesh) {
   EXPECT_FALSE(log.is_complete);
 }
 
+TEST(BoundCertificates, EndAtTheFirstMesh) {
+  const Claim claim{"q1:022222a575df7f", 16, true, true};
+  const auto log = hexes::bound_log(boundary_of(claim), limits_of(claim), {});
+  EXPECT_TRUE(log.has_found_a_mesh);
+  EXPECT_LT(log.records, 10'000U);  // of some millions
+}
+
 /// The certificate of a claim in the words of the second reading.
 BoundText text_of(const Claim& claim) {
   BoundText text{claim.code, {}};

@@ -7,12 +7,29 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdlib>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "enum/core/errors.hpp"
+
+namespace {
+std::atomic<long> allocations_left{-1};  // negative: as many as wanted
+}  // namespace
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"  // where only one of the two is inlined
+#endif
+void* operator new(std::size_t size) {
+  if (allocations_left >= 0 && allocations_left-- == 0) throw std::bad_alloc();
+  if (void* const memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -53,6 +70,23 @@ TEST(ParallelFor, ThrowsTheExceptionOfTheLeastIndexAfterAllCalls) {
       EXPECT_EQ(message, "7");
       EXPECT_EQ(calls.load(), 100);
     }
+}
+
+TEST(ParallelFor, HasFewerThreadsForWantOfMemory) {
+  int told = 0;
+  for (int allowed = 0; allowed < 24; ++allowed) {
+    std::atomic<int> calls{0};
+    allocations_left = allowed;
+    try {
+      parallel_for(3 + allowed % 2, 8, [&](std::size_t) { ++calls; });  // not as many as last time
+      allocations_left = -1;
+      EXPECT_EQ(calls.load(), 8) << allowed;
+    } catch (const std::bad_alloc&) {
+      allocations_left = -1;
+      ++told;
+    }
+  }
+  EXPECT_LT(told, 24);
 }
 
 TEST(ParallelFor, NeedsAThread) {

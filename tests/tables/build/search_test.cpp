@@ -183,6 +183,21 @@ TEST(TableSearch, MayGoOnForFurtherRounds) {
   EXPECT_EQ(longer.to_bytes(), whole.to_bytes());
 }
 
+TEST(TableSearch, EndsTheRoundItIsInIfFewerAreWanted) {
+  const auto codes = build::three_connected_codes(10);
+  build::SearchOptions options = small(1);
+  options.rounds = 2;
+  TableSearch whole(codes, options);
+  while (!whole.is_finished()) whole.step();
+  options.rounds = 3;
+  TableSearch longer(codes, options);
+  while (!longer.progress().phase.starts_with("round 2")) longer.step();
+  options.rounds = 1;
+  auto shorter = TableSearch::from_bytes(longer.to_bytes(), codes, options, "saved");
+  for (int steps = 0; !shorter.is_finished() && steps < 10'000; ++steps) shorter.step();
+  EXPECT_EQ(shorter.to_bytes(), whole.to_bytes());
+}
+
 std::map<canon::Code, int> hexahedra_of(const TableSearch& search) {
   std::map<canon::Code, int> result;
   for (const auto& row : search.rows()) result[row.code] = row.hexahedra;

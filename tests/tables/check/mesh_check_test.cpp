@@ -244,6 +244,24 @@ TEST(MeshCheck, ComparesTheQuadsThatTheFileLists) {
   expect_broken(example.mesh, nullptr, Law::kListedQuads, "listed");
 }
 
+TEST(MeshCheck, TellsWhatIsValidInSpace) {
+  Example example = cubes(box(3, 3, 3));
+  EXPECT_EQ(valid_in_space(example.mesh).valid, 27U);
+  // The corner of one cube beyond the middle of the opposite side: that one only; then flat ones.
+  Mesh bent = example.mesh;
+  const Point old = bent.points[bent.hexahedra[0][0]];
+  const Point far = bent.points[bent.hexahedra[0][6]];
+  for (std::size_t i = 0; i < 3; ++i)
+    bent.points[bent.hexahedra[0][0]][i] = 0.2 * old[i] + 0.8 * far[i];
+  EXPECT_TRUE(check_mesh(bent, nullptr).accepted);
+  EXPECT_EQ(valid_in_space(bent).valid, 26U);
+  for (Point& p : bent.points) p[2] = 0;
+  EXPECT_EQ(valid_in_space(bent).valid, 0U);
+  EXPECT_EQ(valid_in_space(bent).undecided, 0U);
+  for (Point& p : example.mesh.points) p[1] = -p[1];
+  EXPECT_EQ(valid_in_space(example.mesh).valid, 0U);
+}
+
 // A pit along a trefoil in a pile of cubes, which ends one cube below the surface. The last cube
 // has an edge from the bottom of the pit to the surface, a knotted spanning arc of a single edge;
 // a ball with such an arc is not shellable (Furch; Lickorish, Europ. J. Combin. 12, 1991).
