@@ -26,8 +26,7 @@ void add_report(CLI::App& app, Options& options) {
   app.add_flag("--json", options.json, "Print one JSON object");
   app.add_option("--report", options.report,
                  "Write a page on the mesh: what was done, quality, singular edges (.html); - for "
-                 "standard output")
-      ->check(ends_in({".html", ".htm"}));
+                 "standard output");
   add_require_valid(app, options.require_valid);
 }
 

@@ -8,6 +8,7 @@
 #include "cli/mesh_report.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
+#include "cli/table_write.hpp"
 #include "enum/canon/code.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
@@ -72,6 +73,9 @@ ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
   const double start = seconds();
   const MeshFiles files{options.boundary, options.output, options.report};
   if (!are_distinct(files, "BOUNDARY", "mesh boundary")) return ExitCode::usage;
+  if (!options.table.empty() &&
+      would_lose_table(options.table, {"--report", options.report}, "mesh boundary"))
+    return ExitCode::usage;
   expect_outputs_writable(files);
   const auto known = boundary_from(options.boundary);
   if (const auto* none = std::get_if<Unfillable>(&known)) {

@@ -10,6 +10,7 @@
 #include "cli/mesh_output.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
+#include "cli/table_write.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
@@ -167,6 +168,9 @@ Sources sources_of(const MeshHexOptions& options, std::size_t quads) {
 ExitCode mesh_hex(const MeshHexOptions& options) {
   const double start = seconds();
   if (!are_distinct(files_of(options), "INPUT", "mesh hex")) return ExitCode::usage;
+  if (!options.table.empty() &&
+      would_lose_table(options.table, {"--report", options.report}, "mesh hex"))
+    return ExitCode::usage;
   if (options.layers > 0 && options.method != "auto" && options.method != "flips") {
     say("--layers goes with --method flips only. See `hexatlas mesh hex --help`.");
     return ExitCode::usage;

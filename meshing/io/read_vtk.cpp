@@ -118,13 +118,14 @@ class VtkReader {
     }
   }
 
-  void check_number_type() {
+  void check_number_type() { expect_number_type(scanner_.word("a type of numbers")); }
+
+  void expect_number_type(std::string_view type) {
     constexpr std::array<std::string_view, 15> kTypes{
         "DOUBLE",         "FLOAT",         "INT",           "UNSIGNED_INT",
         "LONG",           "UNSIGNED_LONG", "VTKTYPEINT64",  "SHORT",
         "CHAR",           "BIT",           "UNSIGNED_CHAR", "VTKIDTYPE",
         "UNSIGNED_SHORT", "VTKTYPEUINT64", "VTKTYPEINT32"};
-    const std::string_view type = scanner_.word("a type of numbers");
     if (std::find(kTypes.begin(), kTypes.end(), upper(type)) == kTypes.end())
       scanner_.fail("unknown type of numbers " + in_quotes(type));
   }
@@ -226,9 +227,16 @@ class VtkReader {
       }
       const std::size_t components = scanner_.count("the number of components", 1);
       const std::size_t tuples = scanner_.count("the number of tuples", 1);
-      check_number_type();
-      if (tuples != 0 && components > (scanner_.bytes_left() + 1) / 2 / tuples)
+      const std::string_view type = scanner_.word("a type of numbers");
+      const bool is_text = upper(type) == "STRING";
+      if (!is_text) expect_number_type(type);
+      if (tuples != 0 && components > (scanner_.bytes_left() + 1) / (is_text ? 1 : 2) / tuples)
         scanner_.fail("the array " + in_quotes(name) + " is larger than the file");
+      if (is_text) {  // each in a line of its own, after that of the heading
+        for (std::size_t k = 0; k <= components * tuples; ++k)
+          static_cast<void>(scanner_.rest_of_line());
+        continue;
+      }
       for (std::size_t k = 0; k < components * tuples; ++k)
         static_cast<void>(scanner_.real("a number of the field"));
     }

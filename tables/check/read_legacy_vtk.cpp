@@ -194,6 +194,24 @@ void pass_over_information(Scanner& in) {
   in.skip_paragraph();
 }
 
+/// Each in a line of its own; in a binary file, after its length, whose two highest bits say in how
+/// many bytes it is.
+void pass_over_strings(Scanner& in, std::uint64_t count, bool binary) {
+  static_cast<void>(body(in, 0, 1));
+  if (count > in.bytes_left()) in.fail("an array of strings ends too early");
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (!binary) {
+      static_cast<void>(in.skip_line());
+      continue;
+    }
+    const auto first = static_cast<unsigned char>(in.bytes(1)[0]);
+    std::uint64_t length = first & 0x3FU;
+    const std::size_t more = std::array<std::size_t, 4>{7, 3, 1, 0}[first >> 6U];
+    for (const char byte : in.bytes(more)) length = length << 8U | static_cast<unsigned char>(byte);
+    static_cast<void>(in.bytes(length));
+  }
+}
+
 /// FIELD name n, then n arrays "name components tuples type" with their numbers.
 void pass_over_field(Scanner& in, bool binary) {
   static_cast<void>(in.word());
@@ -204,6 +222,10 @@ void pass_over_field(Scanner& in, bool binary) {
     const std::uint64_t components = in.count(1);
     const std::uint64_t numbers = components * in.count(1);
     const std::string_view type = in.word();
+    if (type == "string") {
+      pass_over_strings(in, numbers, binary);
+      continue;
+    }
     std::optional<std::uint64_t> width = width_of(kIntegers, type);
     if (!width) width = width_of(kOtherNumbers, type);
     if (!width) in.fail("unknown type of numbers " + in_quotes(type));

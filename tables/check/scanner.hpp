@@ -26,6 +26,7 @@ class Scanner {
   std::string_view skip_line();
   /// So many bytes as they are, after what was read; their ends of lines do not count.
   [[nodiscard]] std::string_view bytes(std::uint64_t count);
+  [[nodiscard]] std::size_t bytes_left() const { return text_.size() - at_; }
   /// Lines up to and with the next empty one.
   void skip_paragraph();
   /// The words of the next line that has any; empty only at the end.

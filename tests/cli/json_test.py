@@ -46,6 +46,7 @@ ENUMERATIONS = [
     ("enum quadrangulations", 0, ["enum", "quadrangulations", "--quads", "10", "--shard", "0/2"]),
     ("enum triangulations", 0, ["enum", "triangulations", "prism"]),
     ("enum polyhedra", 0, ["enum", "polyhedra", "--vertices", "5"]),
+    ("enum spheres", 0, ["enum", "spheres", "--vertices", "5"]),
     ("enum balls", 0, ["enum", "balls", "--vertices", "5"]),
     ("enum hexmeshes", 0, ["enum", "hexmeshes", "cube", "--max-hexes", "2"]),
     ("enum hexmeshes", 1, ["enum", "hexmeshes", "q1:088a65f7f", "--max-hexes", "2"]),

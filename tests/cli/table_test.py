@@ -152,6 +152,15 @@ class Read(TableTest, MeshTest):
                                            "q1:02228a2a5777df7f"))
         self.assertRegex(ran.err, r"\Ahexatlas: q1:02228a2a5777df7f \(16 quads\)[^\n]+\n\Z")
 
+    def test_a_report_does_not_take_its_place(self):
+        cube = os.path.join(program.INPUTS, "cube.obj")
+        for words in (("hex", cube), ("boundary", "cube")):
+            for name in ("small.hxt", "./small.hxt"):
+                ran = self.expect(2, self.hexatlas("mesh", *words, "-o", "a.vtk", "--table", "small.hxt", "--report", name))
+                self.assertIn("the table and --report are the same file", ran.err)
+        self.assertEqual(self.read("small.hxt"), self.good)
+        self.assertNotIn("a.vtk", self.listing())
+
     def test_a_list_has_what_get_says(self):
         rows = [line.split("\t") for line in
                 self.expect(0, self.hexatlas("table", "list", "small.hxt")).out.splitlines()]

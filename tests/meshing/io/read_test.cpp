@@ -120,6 +120,20 @@ TEST(ReadSurface, VtkPixelsAreReorderedAndKeywordsMayBeLowerCase) {
             (std::vector<std::array<mesh::Index, 4>>{{0, 1, 3, 2}}));
 }
 
+// As VTK 9.1 writes an array of strings: an empty one is an empty line.
+TEST(ReadSurface, VtkFieldsMayHaveStrings) {
+  const auto with = [](const std::string& arrays) {
+    return edit(kVtkGrid, "FieldData 1\n", "FieldData " + arrays);
+  };
+  const auto plain = parse_surface(kVtkGrid, FileFormat::vtk, "f");
+  const auto other = parse_surface(with("3\nnames 1 3 string\na%20b\n\n7\nunit 1 0 string\n"),
+                                   FileFormat::vtk, "f");
+  EXPECT_EQ(other.points, plain.points);
+  EXPECT_EQ(other.quads, plain.quads);
+  EXPECT_THROW((void)parse_surface(with("2\nnames 1 99999 string\na\n"), FileFormat::vtk, "f"),
+               core::InvalidInput);
+}
+
 TEST(ReadHexahedra, VtkVoxelsHaveOurNumbering) {
   const std::string voxel = replaced(kHexVtk, "\n12\n", "\n11\n");
   EXPECT_EQ(parse_hexahedra(voxel, FileFormat::vtk, "f").hexahedra[0],

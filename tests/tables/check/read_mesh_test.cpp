@@ -228,11 +228,33 @@ TEST(ReadMesh, ReadsFieldsPixelsAndTypesOfIntegers) {
       EXPECT_EQ(surface.quads, (std::vector<Quad>{{0, 1, 3, 2}}));
     }
   const auto bad = changes_of("a.vtk", with_field(false, "int"));
-  bad("TimeValue 1 1 int", "TimeValue 1 1 string", "unknown type of numbers 'string'");
+  bad("TimeValue 1 1 int", "TimeValue 1 1 strings", "unknown type of numbers 'strings'");
   bad("TimeValue 1 1", "TimeValue 1 2", "expected a number");
   bad("TimeValue 1 1", "TimeValue 1 99999", "more than the rest of the file");
   bad("FieldData 2", "FieldData 3", "a.vtk:");
   bad("OFFSETS int", "OFFSETS float", "unknown type of integers 'float'");
+}
+
+// As VTK 9.1 writes them: the two highest bits of a length say in how many bytes it is.
+TEST(ReadMesh, PassesOverStrings) {
+  const std::string good = with_field(false, "int");
+  EXPECT_EQ(parse_surface("a.vtk", replaced(good, "FIELD FieldData 2\n",
+                                            "FIELD FieldData 3\nnames 2 2 string\na%20b\n\n7\n\n"))
+                .quads,
+            parse_surface("a.vtk", good).quads);
+  const std::string binary = with_field(true, "int");
+  const std::string strings = std::string("\xc3") + "a\nb" + std::string("\x80\x03", 2) + "FIE" +
+                              std::string("\x40\0\0\1", 4) + "x" +
+                              std::string("\0\0\0\0\0\0\0\2", 8) + "yz\n";
+  const auto with = [&](const std::string& found) {
+    return replaced(binary, "FIELD FieldData 2\n", "FIELD FieldData 3\nnames 1 4 string\n" + found);
+  };
+  EXPECT_EQ(parse_surface("a.vtk", with(strings)).quads, parse_surface("a.vtk", binary).quads);
+  for (const std::string& length : {std::string("\xff"), std::string(8, '\x3f')})
+    EXPECT_THROW((void)parse_surface("a.vtk", with(length)), Malformed);
+  EXPECT_THROW((void)parse_surface("a.vtk", replaced(good, "FieldData 2\n",
+                                                     "FieldData 3\nnames 9999 9999 string\n")),
+               Malformed);
 }
 
 TEST(ReadMesh, ReadsVoxels) {
