@@ -139,7 +139,7 @@ Verdict check_mesh(const Mesh& mesh, const Surface* boundary) {
 ValidInSpace valid_in_space(const Mesh& mesh) {
   ValidInSpace counts;
   for (const Hexahedron& cell : mesh.hexahedra) {
-    std::array<Point, 8> corners;
+    std::array<Point, 8> corners{};
     for (std::size_t i = 0; i < 8; ++i) corners[kCornerBits[i]] = mesh.points[cell[i]];
     const JacobianSign sign = jacobian_sign(corners);
     counts.valid += sign == JacobianSign::kPositive ? 1U : 0U;
