@@ -63,7 +63,8 @@ void add_mesh_boundary(CLI::App& mesh, Action& action) {
 
 void add_mesh_untangle(CLI::App& mesh, Action& action) {
   auto* command = mesh.add_subcommand(
-      "untangle", "Better places for the interior vertices of a mesh; the boundary stays");
+      "untangle",
+      "Better places for the interior vertices of a mesh; the boundary and interfaces stay");
   auto options = std::make_shared<MeshUntangleOptions>();
   command
       ->add_option("MESH", options->input,
@@ -72,16 +73,17 @@ void add_mesh_untangle(CLI::App& mesh, Action& action) {
   add_mesh_to_write(*command, options->output);
   auto* harmonic =
       command->add_flag("--harmonic", options->harmonic, "Forget where the interior vertices are");
-  command->add_flag("--free-boundary", options->free_boundary, "Move all vertices")
+  command
+      ->add_flag("--free-boundary", options->free_boundary,
+                 "Move all vertices, those of interfaces too")
       ->excludes(harmonic);
   add_report(*command, *options);
   add_effort(*command, options->effort, "harmonic places with --harmonic, else those given");
   add_threads(*command, options->threads);
   command->footer(
-      "Regions, references and quads that the file lists are not kept; what is between two "
-      "regions\n"
-      "moves as all of the interior. With -o - the summary, or the JSON, goes to standard "
-      "error.\n" +
+      "What is between two regions (references of MEDIT, entities of Gmsh), and quads inside that\n"
+      "the file lists, stay in their places as the boundary does; the output names neither.\n"
+      "With -o - the summary, or the JSON, goes to standard error.\n" +
       example("hexatlas mesh untangle mesh.vtu -o better.vtu"));
   command->callback([options, &action] { action = [options] { return mesh_untangle(*options); }; });
 }

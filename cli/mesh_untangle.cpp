@@ -36,7 +36,12 @@ nlohmann::ordered_json json_of(const quality::Report& report) {
   return json;
 }
 
-MeshReport report_of(const MeshUntangleOptions& options, std::size_t moved,
+/// Vertices that may move, and those inside that may not, since they are on interfaces.
+struct Vertices {
+  std::size_t free = 0, kept = 0;
+};
+
+MeshReport report_of(const MeshUntangleOptions& options, const Vertices& vertices,
                      const quality::Report& before, const quality::Report& after, double elapsed) {
   Account given{"What was given", {}};
   given.add("mesh", shown_name(options.input, "standard input"));
@@ -45,13 +50,25 @@ MeshReport report_of(const MeshUntangleOptions& options, std::size_t moved,
   done.add("method", options.harmonic ? "better places, from harmonic ones"
                                       : "better places, from those given");
   done.add("boundary", options.free_boundary ? "moved as the interior is" : "kept, bit for bit");
-  done.add("free vertices", moved);
+  done.add("free vertices", vertices.free);
+  if (vertices.kept > 0) done.add("vertices on interfaces, kept", vertices.kept);
   done.add("mesh written", shown_name(options.output, "standard output"));
   done.add("judge", "not asked: which hexahedra share what is as it was");
   done.add_seconds(elapsed);
   return {shown_name(options.input, "standard input"),
           {given, done},
           {{"Quality before", before}, {"Quality after", after}}};
+}
+
+/// Points of interfaces stay as those of the boundary do; how many of them are inside.
+std::size_t keep_interfaces(const mesh::HexModel& model, std::vector<std::uint8_t>& is_free) {
+  const std::vector<std::uint8_t> is_on = hexahedrize::points_of_interfaces(model);
+  std::size_t kept = 0;
+  for (std::size_t v = 0; v < is_free.size(); ++v) {
+    kept += is_free[v] != 0 && is_on[v] != 0 ? 1 : 0;
+    if (is_on[v] != 0) is_free[v] = 0;
+  }
+  return kept;
 }
 
 }  // namespace
@@ -61,13 +78,16 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
   const MeshFiles files{options.input, options.output, options.report};
   if (!are_distinct(files, "MESH", "mesh untangle")) return ExitCode::usage;
   expect_outputs_writable(files);
-  mesh::HexMesh mesh = io::read_hexahedra(options.input);
+  mesh::HexModel model = io::read_hex_model(options.input);
+  mesh::HexMesh& mesh = model.mesh;
   const std::string name = input_name(options.input);
   expect_placeable(mesh, name);
   turn_over_what_is_inside_out(mesh, name);
   std::vector<std::uint8_t> is_free = options.free_boundary ? hexahedrize::points_of_cells(mesh)
                                                             : hexahedrize::interior_points(mesh);
-  const auto moved =
+  Vertices vertices;
+  if (!options.free_boundary) vertices.kept = keep_interfaces(model, is_free);
+  vertices.free =
       static_cast<std::size_t>(std::count(is_free.begin(), is_free.end(), std::uint8_t{1}));
   const quality::Report before = quality::report(mesh);
   hexahedrize::place(mesh, std::move(is_free),
@@ -78,22 +98,25 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
   const double elapsed = seconds() - start;
   std::string page;
   if (!options.report.empty())
-    page = report_page(report_of(options, moved, before, report, elapsed), mesh);
+    page = report_page(report_of(options, vertices, before, report, elapsed), mesh);
   write_mesh(options.output, mesh);  // last, so that no file is left without memory
   if (!options.report.empty()) core::write_file(options.report, page);
   if (options.json) {
     nlohmann::ordered_json json;
     json["hexahedra"] = report.cells;
-    json["free_vertices"] = moved;
+    json["free_vertices"] = vertices.free;
+    json["interface_vertices"] = vertices.kept;
     json["before"] = json_of(before);
     json["after"] = json_of(report);
     json["seconds"] = elapsed;
     tell(files, to_line(json));
   } else {
-    tell(files, fmt::format("{}: {}, {}\nbefore\n{}after\n{}", options.output,
-                            counted(report.cells, "hexahedron", "hexahedra"),
-                            counted(moved, "free vertex", "free vertices"), quality_text(before),
-                            quality_text(report)));
+    tell(files, fmt::format(
+                    "{}: {}, {}{}\nbefore\n{}after\n{}", options.output,
+                    counted(report.cells, "hexahedron", "hexahedra"),
+                    counted(vertices.free, "free vertex", "free vertices"),
+                    vertices.kept == 0 ? "" : fmt::format(", {} on interfaces kept", vertices.kept),
+                    quality_text(before), quality_text(report)));
   }
   return answer_for(report, options.require_valid);
 }

@@ -40,6 +40,19 @@ Start start_of(const mesh::HexMesh& mesh) {
   return start;
 }
 
+/// The mesh in a file, of which regions and what is between them will be lost.
+mesh::HexMesh with_lost_interfaces_told(const std::string& input, const std::string& name) {
+  mesh::HexModel model = io::read_hex_model(input);
+  const std::vector<std::uint8_t> is_on = hexahedrize::points_of_interfaces(model);
+  const auto count = static_cast<std::size_t>(std::count(is_on.begin(), is_on.end(), 1));
+  if (count > 0)
+    say(
+        fmt::format("note: {} has {} on interfaces, between regions or on quads that it lists; "
+                    "these are not kept",
+                    name, counted(count, "vertex", "vertices")));
+  return std::move(model.mesh);
+}
+
 /// Leaves out points of no hexahedron, which are no vertices of the mesh; says so.
 mesh::HexMesh without_unused_points(mesh::HexMesh mesh, const std::string& file) {
   const std::vector<std::uint8_t> is_used = hexahedrize::points_of_cells(mesh);
@@ -129,7 +142,7 @@ ExitCode simplify_mesh(const SimplifyOptions& options) {
     return ExitCode::usage;
   expect_mesh_writable(options.output);
   const std::string name = input_name(options.input);
-  mesh::HexMesh given = without_unused_points(io::read_hexahedra(options.input), name);
+  mesh::HexMesh given = without_unused_points(with_lost_interfaces_told(options.input, name), name);
   if (!is_shown_ball(given, name))
     say("note: that " + name + " is a ball was not shown; what is written is homeomorphic to it");
   turn_over_what_is_inside_out(given, name);

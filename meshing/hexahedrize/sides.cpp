@@ -96,6 +96,22 @@ std::vector<std::uint8_t> interior_points(const mesh::HexMesh& mesh) {
   return is_interior;
 }
 
+std::vector<std::uint8_t> points_of_interfaces(const mesh::HexModel& model) {
+  std::vector<std::array<mesh::Index, 4>> listed = model.quads;
+  for (auto& quad : listed) std::sort(quad.begin(), quad.end());
+  std::sort(listed.begin(), listed.end());
+  std::vector<std::uint8_t> is_on(model.mesh.points.size(), 0);
+  for_each_quad(facets_of(model.mesh), [&](std::span<const Facet> sides) {
+    if (sides.size() != 2) return true;
+    const bool is_between =
+        !model.regions.empty() && model.regions[sides[0].cell] != model.regions[sides[1].cell];
+    if (is_between || std::binary_search(listed.begin(), listed.end(), sides[0].key))
+      for (const mesh::Index v : sides[0].key) is_on[v] = 1;
+    return true;
+  });
+  return is_on;
+}
+
 std::optional<std::string> fault_of_sides(const mesh::HexMesh& mesh) {
   std::optional<std::string> fault;
   for_each_quad(facets_of(mesh), [&](std::span<const Facet> sides) {

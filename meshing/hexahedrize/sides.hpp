@@ -26,14 +26,18 @@ namespace hexatlas::hexahedrize {
 /// 1 for each point that has quads, all of them in two hexahedra.
 [[nodiscard]] std::vector<std::uint8_t> interior_points(const mesh::HexMesh& mesh);
 
+/// 1 for each point of an interface: a quad between hexahedra of two regions, or one between two
+/// hexahedra that the file lists.
+[[nodiscard]] std::vector<std::uint8_t> points_of_interfaces(const mesh::HexModel& model);
+
 /// Why the hexahedra are none of a mesh: three have the same four vertices as a quad, or two have
 /// it as different cycles, or both on the same side, so that they overlap however they are placed;
 /// or a part has no boundary.
 [[nodiscard]] std::optional<std::string> fault_of_sides(const mesh::HexMesh& mesh);
 
 /// The sign of the volume that a closed surface of quads encloses. A quad need not be planar: it is
-/// cut along either diagonal, which gives twice the volume under the bilinear patch. Exact. Requires
-/// finite coordinates.
+/// cut along either diagonal, which gives twice the volume under the bilinear patch. Exact.
+/// Requires finite coordinates.
 [[nodiscard]] exact::Sign sign_of_volume(std::span<const std::array<mesh::Point, 4>> quads);
 
 /// Hexahedra that are joined by quads.

@@ -69,8 +69,8 @@ void MeshBuilder::check_distinct(const CellType& type, std::span<const Index> ve
 
 void MeshBuilder::check_kind(const CellType& type, std::size_t line) const {
   const std::string name(type.name);
-  if (wanted_ == Wanted::hexahedra) {
-    if (type.shape != CellShape::hexahedron && type.shape != CellShape::voxel)
+  if (wanted_ == Wanted::hexahedra || wanted_ == Wanted::hex_model) {
+    if (type.shape != CellShape::hexahedron && type.shape != CellShape::voxel && !is_a_quad(type))
       fail(line, name + "; every cell must be a hexahedron");
     return;
   }
@@ -100,6 +100,8 @@ bool MeshBuilder::is_passed_over(const CellType& type) const {
       return true;
     case Wanted::tet_model:
       return type.shape == CellShape::low || (is_a_facet(type) && !is_a_triangle(type));
+    case Wanted::hex_model:
+      return type.shape == CellShape::low || (is_a_facet(type) && !is_a_quad(type));
     case Wanted::tetrahedra:
     case Wanted::hexahedra:
     case Wanted::hybrid:
@@ -149,12 +151,12 @@ void MeshBuilder::keep_volume(const CellType& type, std::span<const Index> verti
     for (std::size_t i = 0; i < cell.size(); ++i) cell[corner_at(i)] = vertices[i];
   };
   const auto as_it_is = [](std::size_t i) { return i; };
+  if (wanted_ == Wanted::tet_model && reference) regions_.push_back(to_reference(*reference, line));
+  if (wanted_ == Wanted::hex_model && reference)  // only whether two are the same matters
+    regions_.push_back(static_cast<std::uint32_t>(*reference));
   switch (type.shape) {
     case CellShape::tetrahedron:
-      keep(tetrahedra_, as_it_is);
-      if (wanted_ == Wanted::tet_model && reference)
-        regions_.push_back(to_reference(*reference, line));
-      return;
+      return keep(tetrahedra_, as_it_is);
     case CellShape::hexahedron:
       return keep(hexahedra_, [](std::size_t i) { return kFileCorner[i]; });
     case CellShape::voxel:
@@ -225,6 +227,10 @@ mesh::WeightedPoints MeshBuilder::take_weighted_points() {
 mesh::HexMesh MeshBuilder::take_hexahedra() {
   check_complete(!hexahedra_.empty(), "hexahedron");
   return {std::move(points_), std::move(hexahedra_)};
+}
+
+mesh::HexModel MeshBuilder::take_hex_model() {
+  return {take_hexahedra(), std::move(regions_), std::move(quads_)};
 }
 
 mesh::HybridMesh MeshBuilder::take_hybrid() {

@@ -27,6 +27,7 @@ enum class Wanted : std::uint8_t {
   tetrahedra,
   tet_model,  ///< tetrahedra, triangles and their references
   hexahedra,
+  hex_model,  ///< hexahedra, their references and quads
   hybrid,  ///< tetrahedra, hexahedra, prisms and pyramids
 };
 
@@ -57,6 +58,7 @@ class MeshBuilder {
   [[nodiscard]] mesh::TetMesh take_tetrahedra();
   [[nodiscard]] mesh::TetModel take_tet_model();
   [[nodiscard]] mesh::HexMesh take_hexahedra();
+  [[nodiscard]] mesh::HexModel take_hex_model();
   [[nodiscard]] mesh::HybridMesh take_hybrid();
 
   /// The points, also if there are none.
@@ -88,7 +90,7 @@ class MeshBuilder {
   std::vector<std::uint32_t> quad_line_;
   std::vector<mesh::Facet> facets_;
   std::vector<std::array<mesh::Index, 4>> tetrahedra_;
-  std::vector<std::uint32_t> regions_;  ///< of the tetrahedra
+  std::vector<std::uint32_t> regions_;  ///< of the cells of a model
   std::vector<std::array<mesh::Index, 3>> triangles_;
   std::vector<std::uint32_t> colours_;  ///< of the triangles
   std::vector<std::array<mesh::Index, 8>> hexahedra_;

@@ -29,6 +29,7 @@ Content content_of(Wanted wanted) {
     case Wanted::tet_model:
       return Content::tetrahedra;
     case Wanted::hexahedra:
+    case Wanted::hex_model:
       return Content::hexahedra;
     case Wanted::hybrid:
       return Content::hybrid;
@@ -117,6 +118,10 @@ mesh::HexMesh parse_hexahedra(std::string_view bytes, FileFormat format, const s
   return parse(bytes, format, file, Wanted::hexahedra).take_hexahedra();
 }
 
+mesh::HexModel parse_hex_model(std::string_view bytes, FileFormat format, const std::string& file) {
+  return parse(bytes, format, file, Wanted::hex_model).take_hex_model();
+}
+
 mesh::TetModel parse_tet_model(std::string_view bytes, FileFormat format, const std::string& file) {
   return parse(bytes, format, file, Wanted::tet_model).take_tet_model();
 }
@@ -148,6 +153,10 @@ mesh::TetMesh read_tetrahedra(const std::string& path, std::optional<FileFormat>
 
 mesh::HexMesh read_hexahedra(const std::string& path, std::optional<FileFormat> format) {
   return load(path, format, Wanted::hexahedra).take_hexahedra();
+}
+
+mesh::HexModel read_hex_model(const std::string& path, std::optional<FileFormat> format) {
+  return load(path, format, Wanted::hex_model).take_hex_model();
 }
 
 mesh::TetModel read_tet_model(const std::string& path, std::optional<FileFormat> format) {

@@ -85,6 +85,11 @@ namespace hexatlas::io {
 [[nodiscard]] mesh::HexMesh parse_hexahedra(std::string_view bytes, FileFormat format,
                                             const std::string& file);
 
+/// The same, with the quads and with the regions of the hexahedra as of the tetrahedra of a model,
+/// modulo 2^32.
+[[nodiscard]] mesh::HexModel parse_hex_model(std::string_view bytes, FileFormat format,
+                                             const std::string& file);
+
 /// The file at `path` ("-": standard input). The format is that of the extension unless given;
 /// for standard input, that of the first bytes, which .bin does not announce.
 [[nodiscard]] std::vector<mesh::Point> read_points(const std::string& path,
@@ -101,6 +106,8 @@ namespace hexatlas::io {
                                             std::optional<FileFormat> format = {});
 [[nodiscard]] mesh::HexMesh read_hexahedra(const std::string& path,
                                            std::optional<FileFormat> format = {});
+[[nodiscard]] mesh::HexModel read_hex_model(const std::string& path,
+                                            std::optional<FileFormat> format = {});
 [[nodiscard]] mesh::HybridMesh read_hybrid(const std::string& path,
                                            std::optional<FileFormat> format = {});
 

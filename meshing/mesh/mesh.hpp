@@ -59,6 +59,13 @@ struct HexMesh {
   std::vector<std::array<Index, 8>> hexahedra;
 };
 
+/// The same with what a file says of them: to which region each belongs, and quads that it lists.
+struct HexModel {
+  HexMesh mesh;
+  std::vector<std::uint32_t> regions;  ///< one per hexahedron, or none at all: one region
+  std::vector<std::array<Index, 4>> quads;
+};
+
 /// Tetrahedra (a, b, c, d); right-handed ones have det(b - a, c - a, d - a) > 0. Whether they are,
 /// say those who make them.
 struct TetMesh {

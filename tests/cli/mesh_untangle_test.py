@@ -94,6 +94,34 @@ class Untangle(program.ProgramTest):
                     self.assertEqual(old, new)
             self.assertEqual(len(mesh[0]), len(points))
 
+    def test_interfaces_stay(self):
+        """Between two regions, and where quads are listed: the plane x = 2."""
+        rng = random.Random(4)
+        points, inner, text = grid(4, lambda p: p if p[0] == 2 else (p[0], 4 * rng.random(), p[2]))
+        head, cells = text.split("Hexahedra\n64\n")
+        cells = cells.splitlines()[:-1]
+        at = {point: v for v, point in enumerate(points)}
+        quads = [[at[(2, y + b, z + c)] for b, c in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                 for z in range(4) for y in range(4)]
+        coloured = [cell[:-1] + ("1" if i % 4 < 2 else "-2") for i, cell in enumerate(cells)]
+        listed = f"Quadrilaterals\n{len(quads)}\n" + "".join(
+            " ".join(str(v + 1) for v in quad) + " 5\n" for quad in quads)
+        for more, rows in (("", coloured), (listed, cells)):
+            self.write("in.mesh", head + more + "Hexahedra\n64\n" + "\n".join([*rows, "End", ""]))
+            said = json.loads(self.expect(0, self.hexatlas("mesh", "untangle", "in.mesh", "-o", "out.vtk", "--json",
+                                                           "--require-valid", "--effort", "2")).out)
+            self.assertEqual((said["free_vertices"], said["interface_vertices"]), (18, 9))
+            self.assertGreater(said["before"]["inverted"], 0)
+            for old, new, is_inner in zip(points, self.mesh("out.vtk")[0], inner):
+                self.assertTrue(old == new or (is_inner and old[0] != 2))
+            ran = self.expect(0, self.hexatlas("mesh", "untangle", "in.mesh", "-o", "out.vtk", "--effort", "0"))
+            self.assertIn(", 18 free vertices, 9 on interfaces kept\n", ran.out)
+            ran = self.expect(0, self.hexatlas("simplify", "in.mesh", "-o", "small.vtk", "--tries", "1"))
+            self.assertIn("note: in.mesh has 25 vertices on interfaces", ran.err)
+        said = json.loads(self.expect(0, self.hexatlas("mesh", "untangle", "in.mesh", "-o", "out.vtk", "--json",
+                                                       "--effort", "0", "--free-boundary")).out)
+        self.assertEqual((said["free_vertices"], said["interface_vertices"]), (125, 0))
+
     def test_points_of_no_cell_are_not_free(self):
         points, _, text = grid(2, lambda p: p)
         self.write("in.mesh", text.replace(f"Vertices\n{len(points)}\n", f"Vertices\n{len(points) + 1}\n")

@@ -1,7 +1,7 @@
 // Claim. interior_points() are the inner points of a lattice of cubes; the volume of a part is that
 // of its lattice, wherever these are and at any scale, negative if the cubes are inside out;
-// fault_of_sides() tells what kind of overlap no places can mend, and nothing of a lattice.
-// Oracle. What is known of a lattice.
+// points_of_interfaces() are those between layers of it; fault_of_sides() tells what kind of
+// overlap no places can mend, and nothing of a lattice. Oracle. What is known of a lattice.
 #include "meshing/hexahedrize/sides.hpp"
 
 #include <gtest/gtest.h>
@@ -54,6 +54,32 @@ TEST(Sides, OfLattices) {
     EXPECT_EQ(hexahedrize::points_of_cells(mesh).back(), 0);
     EXPECT_EQ(hexahedrize::interior_points(mesh).back(), 0);
   }
+}
+
+TEST(Sides, Interfaces) {
+  constexpr mesh::Index kN = 4;
+  std::mt19937_64 random(2);
+  mesh::HexModel model{lattice(kN, random), {}, {}};
+  EXPECT_EQ(hexahedrize::points_of_interfaces(model),
+            std::vector<std::uint8_t>(model.mesh.points.size(), 0));
+  const auto layer = [](mesh::Index place, mesh::Index axis) {  // of a point, or of a cube
+    const mesh::Index m = kN + 1;
+    return axis == 0 ? place % m : axis == 1 ? place / m % m : place / (m * m);
+  };
+  std::vector<std::uint8_t> wanted;
+  for (mesh::Index v = 0; v < model.mesh.points.size(); ++v)
+    wanted.push_back(layer(v, 0) == 2 ? 1 : 0);
+  for (const auto& cell : model.mesh.hexahedra)
+    model.regions.push_back(layer(cell[0], 0) < 2 ? 7 : 9);
+  EXPECT_EQ(hexahedrize::points_of_interfaces(model), wanted);
+  for (const auto& cell : model.mesh.hexahedra) {  // and the top of the lowest cubes; the bottom
+    if (layer(cell[0], 2) != 0) continue;
+    model.quads.push_back({cell[6], cell[7], cell[5], cell[4]});
+    model.quads.push_back({cell[0], cell[1], cell[3], cell[2]});
+  }
+  for (mesh::Index v = 0; v < wanted.size(); ++v)
+    if (layer(v, 2) == 1) wanted[v] = 1;
+  EXPECT_EQ(hexahedrize::points_of_interfaces(model), wanted);
 }
 
 TEST(Sides, OfSlenderAndFlatCells) {

@@ -171,6 +171,21 @@ TEST(ReadSurface, VtuAppendedBase64) {
   EXPECT_EQ(parse_surface(vtu, FileFormat::vtu, "f").quads, kQuads);
 }
 
+TEST(ReadHexModel, HasRegionsAndQuads) {
+  std::string points;
+  for (const char* z : {"0", "1", "2"})
+    for (const char* xy : {"0 0", "1 0", "1 1", "0 1"})
+      points += std::string(xy) + " " + z + " 0\n";
+  const std::string medit =
+      "MeshVersionFormatted 2\nDimension 3\nVertices 12\n" + points +
+      "Triangles 1\n1 2 3 4\nQuadrilaterals 1\n5 6 7 8 3\nHexahedra 2\n1 2 3 4 5 6 7 8 -1\n"
+      "5 6 7 8 9 10 11 12 6\nEnd\n";
+  const mesh::HexModel model = parse_hex_model(medit, FileFormat::medit, "f");
+  EXPECT_EQ(model.mesh.hexahedra, parse_hexahedra(medit, FileFormat::medit, "f").hexahedra);
+  EXPECT_EQ(model.regions, (std::vector<std::uint32_t>{0xFFFF'FFFF, 6}));
+  EXPECT_EQ(model.quads, (std::vector<std::array<mesh::Index, 4>>{{4, 5, 6, 7}}));
+}
+
 TEST(ReadHexahedra, QuadsOfTheBoundaryAreIgnored) {
   EXPECT_EQ(parse_hexahedra(kHexMedit, FileFormat::medit, "f").hexahedra.size(), 1U);
   EXPECT_EQ(parse_hexahedra(kHexGmsh2, FileFormat::gmsh, "f").hexahedra.size(), 1U);
