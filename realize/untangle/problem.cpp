@@ -9,13 +9,12 @@ Problem::Problem(Points points, const std::vector<Cell>& cells,
                  const std::vector<std::uint8_t>& is_free)
     : points_(std::move(points)) {
   std::vector<std::size_t> uses(is_free.size());
-  for (std::size_t c = 0; c < cells.size(); ++c) {
+  for (const Cell& cell : cells) {
     std::uint8_t moving = 0;
-    for (std::size_t v = 0; v < 8; ++v)
-      moving |= static_cast<std::uint8_t>(is_free[cells[c][v]] << v);
+    for (std::size_t v = 0; v < 8; ++v) moving |= static_cast<std::uint8_t>(is_free[cell[v]] << v);
     if (moving == 0) continue;
-    for (const std::uint32_t v : cells[c]) uses[v] += is_free[v];
-    cells_.push_back(cells[c]);
+    for (const std::uint32_t v : cell) uses[v] += is_free[v];
+    cells_.push_back(cell);
     seen_.push_back(samples_that_see(moving));
     masks_.push_back(kCornerSamples & seen_.back());
   }
