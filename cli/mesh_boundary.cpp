@@ -8,10 +8,8 @@
 #include "cli/mesh_report.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
-#include "cli/table_write.hpp"
 #include "enum/canon/code.hpp"
 #include "enum/core/errors.hpp"
-#include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "meshing/hexahedrize/placing.hpp"
 #include "meshing/quality/report.hpp"
@@ -71,11 +69,11 @@ MeshReport report_of(const MeshBoundaryOptions& options, const NamedBoundary& bo
 
 ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
   const double start = seconds();
-  const MeshFiles files{options.boundary, options.output, options.report};
+  const MeshFiles files{.input = options.boundary,
+                        .output = options.output,
+                        .report = options.report,
+                        .table = options.table};
   if (!are_distinct(files, "BOUNDARY", "mesh boundary")) return ExitCode::usage;
-  if (!options.table.empty() &&
-      would_lose_table(options.table, {"--report", options.report}, "mesh boundary"))
-    return ExitCode::usage;
   expect_outputs_writable(files);
   const auto known = boundary_from(options.boundary);
   if (const auto* none = std::get_if<Unfillable>(&known)) {
@@ -103,11 +101,8 @@ ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
     throw core::InvalidInput(table.path(), "holds a mesh that is not valid: " + verdict.reason);
   const quality::Report report = quality::report(mesh);
   const double elapsed = seconds() - start;
-  std::string page;
-  if (!options.report.empty())
-    page = report_page(report_of(options, boundary, verdict, report, elapsed), mesh);
-  write_mesh(options.output, mesh);  // last, so that no file is left without memory
-  if (!options.report.empty()) core::write_file(options.report, page);
+  write_with_report(files, mesh,
+                    [&] { return report_of(options, boundary, verdict, report, elapsed); });
   tell(files, options.json ? json_line(boundary, mesh, options.free_boundary, report, elapsed)
                            : summary(boundary, mesh, report, options.output));
   return answer_for(report, options.require_valid);

@@ -10,7 +10,6 @@
 #include "cli/mesh_output.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
-#include "cli/table_write.hpp"
 #include "enum/core/errors.hpp"
 #include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
@@ -36,7 +35,11 @@ std::vector<std::string> in_words(const hexahedrize::SurfaceNotes& notes) {
 }
 
 MeshFiles files_of(const MeshHexOptions& options) {
-  return {options.input, options.output, options.report};
+  return {.input = options.input,
+          .output = options.output,
+          .report = options.report,
+          .table = options.table,
+          .sectors = options.sectors};
 }
 
 const char* name_of(hexahedrize::Method method) {
@@ -132,13 +135,11 @@ check::Verdict expect_accepted(const hexahedrize::Hexahedrized& made,
 ExitCode deliver(const MeshHexOptions& options, const MeshHexAccount& account, double start) {
   const quality::Report report = quality::report(account.made.mesh);
   const double elapsed = seconds() - start;
-  std::string page;
-  if (!options.report.empty())
-    page = report_page(report_of(options, account, report, elapsed), account.made.mesh);
-  write_mesh(options.output, account.made.mesh);  // last, so that no file is left without memory
-  if (!options.report.empty()) core::write_file(options.report, page);
-  tell(files_of(options), options.json ? json_line(account, report, elapsed)
-                                       : summary(account, report, options.output));
+  const MeshFiles files = files_of(options);
+  write_with_report(files, account.made.mesh,
+                    [&] { return report_of(options, account, report, elapsed); });
+  tell(files, options.json ? json_line(account, report, elapsed)
+                           : summary(account, report, options.output));
   return answer_for(report, options.require_valid);
 }
 
@@ -168,9 +169,6 @@ Sources sources_of(const MeshHexOptions& options, std::size_t quads) {
 ExitCode mesh_hex(const MeshHexOptions& options) {
   const double start = seconds();
   if (!are_distinct(files_of(options), "INPUT", "mesh hex")) return ExitCode::usage;
-  if (!options.table.empty() &&
-      would_lose_table(options.table, {"--report", options.report}, "mesh hex"))
-    return ExitCode::usage;
   if (options.layers > 0 && options.method != "auto" && options.method != "flips") {
     say("--layers goes with --method flips only. See `hexatlas mesh hex --help`.");
     return ExitCode::usage;

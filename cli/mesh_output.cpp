@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/output.hpp"
+#include "cli/table_write.hpp"
 #include "enum/cells/cube.hpp"
 #include "enum/core/files.hpp"
 #include "meshing/hexahedrize/sides.hpp"
@@ -46,10 +47,16 @@ check::Surface for_judge(const mesh::SurfaceMesh& surface) {
 }
 
 bool are_distinct(const MeshFiles& files, const char* input, const char* verb) {
-  const auto same = same_files({input, files.input},
-                               {{"--output", files.output}, {files.report_option, files.report}});
-  if (same) say(fmt::format("{}. See `hexatlas {} --help`.", *same, verb));
-  return !same;
+  const std::vector<NamedFile> outputs{{"--output", files.output},
+                                       {files.report_option, files.report}};
+  for (const NamedFile& read : {NamedFile{input, files.input}, {"--sectors", files.sectors}})
+    if (const auto same = same_files(read, outputs)) {
+      say(fmt::format("{}. See `hexatlas {} --help`.", *same, verb));
+      return false;
+    }
+  return files.table.empty() || std::none_of(outputs.begin(), outputs.end(), [&](const auto& each) {
+           return would_lose_table(files.table, each, verb);
+         });
 }
 
 void expect_outputs_writable(const MeshFiles& files) {

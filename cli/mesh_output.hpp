@@ -19,15 +19,18 @@ namespace hexatlas::cli {
 /// The files of a verb; "-" is a standard stream.
 struct MeshFiles {
   std::string input, output;
-  std::string report;  ///< empty: none
+  std::string report{};  ///< empty: none
   const char* report_option = "--report";
+  std::string table{};    ///< asked for, which the verb reads besides; empty: none
+  std::string sectors{};  ///< likewise
 };
 
 /// The mesh and the surface as the judge takes them.
 [[nodiscard]] check::Mesh for_judge(const mesh::HexMesh& mesh);
 [[nodiscard]] check::Surface for_judge(const mesh::SurfaceMesh& surface);
 
-/// Whether no two of the files are the same, which would lose one of them; says so if they are.
+/// Whether no output takes the place of another one, of the input, or of the table and what lies
+/// beside it, which would lose one of them; says so if one does.
 /// `input` is its word on the command line of the verb.
 [[nodiscard]] bool are_distinct(const MeshFiles& files, const char* input, const char* verb);
 

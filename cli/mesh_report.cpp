@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "cli/histogram_chart.hpp"
-#include "cli/mesh_output.hpp"
 #include "cli/output.hpp"
 #include "enum/core/checks.hpp"
+#include "enum/core/files.hpp"
 #include "meshing/view/structure.hpp"
 #include "tables/sheet/markup.hpp"
 
@@ -197,6 +197,26 @@ std::string section_of(const view::InteriorValences& valences) {
          "</div>\n";
 }
 
+std::string report_page(const MeshReport& report, const mesh::HexMesh& mesh) {
+  const std::string title = escaped(report.title);
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
+      "<meta http-equiv=\"Content-Security-Policy\" "
+      "content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n"
+      "<title>{0}: hexahedral mesh</title>\n<style>{1}</style>\n</head>\n<body>\n"
+      "<header>\n<p class=\"over\">Report of a hexahedral mesh</p>\n<h1>{0}</h1>\n</header>\n"
+      "<main>\n",
+      title, kStyle);
+  html += figures(report.qualities.back().quality);
+  for (const Account& account : report.accounts) html += section_of(account);
+  for (std::size_t i = 0; i < report.qualities.size(); ++i)
+    html += section_of(report.qualities[i], i + 1);
+  html += section_of(view::interior_valences(mesh, view::neighbours_of(mesh)));
+  return html + fmt::format("</main>\n<footer>Made by hexatlas {}.</footer>\n</body>\n</html>\n",
+                            version());
+}
+
 }  // namespace
 
 void Account::add(std::string label, std::string value) {
@@ -224,24 +244,12 @@ std::string shown_name(const std::string& path, const char* stream) {
   return path == "-" ? stream : std::filesystem::path(path).filename().string();
 }
 
-std::string report_page(const MeshReport& report, const mesh::HexMesh& mesh) {
-  const std::string title = escaped(report.title);
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-      "<meta http-equiv=\"Content-Security-Policy\" "
-      "content=\"default-src 'none'; style-src 'unsafe-inline'\"/>\n"
-      "<title>{0}: hexahedral mesh</title>\n<style>{1}</style>\n</head>\n<body>\n"
-      "<header>\n<p class=\"over\">Report of a hexahedral mesh</p>\n<h1>{0}</h1>\n</header>\n"
-      "<main>\n",
-      title, kStyle);
-  html += figures(report.qualities.back().quality);
-  for (const Account& account : report.accounts) html += section_of(account);
-  for (std::size_t i = 0; i < report.qualities.size(); ++i)
-    html += section_of(report.qualities[i], i + 1);
-  html += section_of(view::interior_valences(mesh, view::neighbours_of(mesh)));
-  return html + fmt::format("</main>\n<footer>Made by hexatlas {}.</footer>\n</body>\n</html>\n",
-                            version());
+void write_with_report(const MeshFiles& files, const mesh::HexMesh& mesh,
+                       const std::function<MeshReport()>& report_of) {
+  std::string page;
+  if (!files.report.empty()) page = report_page(report_of(), mesh);
+  write_mesh(files.output, mesh);
+  if (!files.report.empty()) core::write_file(files.report, page);
 }
 
 }  // namespace hexatlas::cli

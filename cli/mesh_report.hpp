@@ -9,9 +9,11 @@
 /// line of the page.
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "cli/mesh_output.hpp"
 #include "meshing/mesh/mesh.hpp"
 #include "meshing/quality/report.hpp"
 #include "tables/check/verdict.hpp"
@@ -50,7 +52,10 @@ struct MeshReport {
 /// The name of a file without its folder, or the words for a standard stream.
 [[nodiscard]] std::string shown_name(const std::string& path, const char* stream);
 
-/// Requires hexahedra. Cost: that of view::interior_valences().
-[[nodiscard]] std::string report_page(const MeshReport& report, const mesh::HexMesh& mesh);
+/// Writes the mesh and, if a report is wanted, its page. The page is made before, so that no file
+/// is left behind without memory for it. Requires hexahedra. Cost of the page: that of
+/// view::interior_valences().
+void write_with_report(const MeshFiles& files, const mesh::HexMesh& mesh,
+                       const std::function<MeshReport()>& report_of);
 
 }  // namespace hexatlas::cli

@@ -9,7 +9,6 @@
 #include "cli/mesh_report.hpp"
 #include "cli/output.hpp"
 #include "enum/core/errors.hpp"
-#include "enum/core/files.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "meshing/hexahedrize/placing.hpp"
 #include "meshing/hexahedrize/sides.hpp"
@@ -96,11 +95,8 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
                       .starts_as_given = !options.harmonic});
   const quality::Report report = quality::report(mesh);
   const double elapsed = seconds() - start;
-  std::string page;
-  if (!options.report.empty())
-    page = report_page(report_of(options, vertices, before, report, elapsed), mesh);
-  write_mesh(options.output, mesh);  // last, so that no file is left without memory
-  if (!options.report.empty()) core::write_file(options.report, page);
+  write_with_report(files, mesh,
+                    [&] { return report_of(options, vertices, before, report, elapsed); });
   if (options.json) {
     nlohmann::ordered_json json;
     json["hexahedra"] = report.cells;

@@ -138,7 +138,8 @@ simplify::Simplified searched(const complex::HexComplex& mesh, const SimplifyOpt
 
 ExitCode simplify_mesh(const SimplifyOptions& options) {
   const double begin = seconds();
-  if (!are_distinct({options.input, options.output, {}}, "MESH", "simplify"))
+  if (!are_distinct({.input = options.input, .output = options.output, .table = options.table},
+                    "MESH", "simplify"))
     return ExitCode::usage;
   expect_mesh_writable(options.output);
   const std::string name = input_name(options.input);

@@ -65,7 +65,11 @@ fixed_layout() {
   fi
 }
 
+# clang, clang-tidy and lld take an eighth less time with their memory in large pages.
+in_large_pages=glibc.malloc.hugetlb=1
+
 build() { # PRESET [TARGET...]
+  local -x GLIBC_TUNABLES=$in_large_pages
   local preset=$1
   shift
   step "configure-$preset" cmake --preset "$preset" \
@@ -144,6 +148,7 @@ run_tidy() { # FOLDER FILE
 
 tidy() { # all|deep|changed
   local units
+  local -x GLIBC_TUNABLES=$in_large_pages
   export tidy_commands=build/release tidy_checks='-clang-analyzer-*'
   export -f tidy_unit run_tidy
   units=$(own_sources "$1") || return 1

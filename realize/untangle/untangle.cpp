@@ -69,6 +69,29 @@ Task part_of(const Task& task, std::vector<std::uint8_t> is_free) {
   return part;
 }
 
+/// A task whose points are those of its cells alone, in their order: each evaluation of an energy
+/// begins with a copy of all points.
+struct Excerpt {
+  Task task;
+  std::vector<Eigen::Index> point;  ///< the number of each one before
+};
+
+Excerpt excerpt_of(const Task& task) {
+  std::vector<std::uint32_t> number(task.is_free.size());
+  for (const Cell& cell : task.cells)
+    for (const std::uint32_t v : cell) number[v] = 1;
+  Excerpt result{{task.cells, {}}, {}};
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] == 0) continue;
+    number[v] = static_cast<std::uint32_t>(result.point.size());
+    result.point.push_back(static_cast<Eigen::Index>(v));
+    result.task.is_free.push_back(task.is_free[v]);
+  }
+  for (Cell& cell : result.task.cells)
+    for (std::uint32_t& v : cell) v = number[v];
+  return result;
+}
+
 Points placed_at_once(const Task& task, const Points& start, Work& work) {
   Work first(work.left() / 2, work.threads());
   Placement best = unfolded(task, start, 1, first);
@@ -114,9 +137,11 @@ Points placed_in_parts(const Task& task, Points points, Work& work) {
     if (part.cells.empty()) break;
     Work own(std::min(work.left(), std::max(work.left() / 2, wanted())), work.threads());
     const double before = own.left();
-    Placement best = judged(points, part.cells, work.threads());
-    if (is_any_bad) best = unfolded(part, points, 1, own);
-    points = raised(part, best, own).points;
+    const Excerpt excerpt = excerpt_of(part);
+    const Points start = points(Eigen::all, excerpt.point);
+    const Placement best = is_any_bad ? unfolded(excerpt.task, start, 1, own)
+                                      : judged(start, excerpt.task.cells, work.threads());
+    points(Eigen::all, excerpt.point) = raised(excerpt.task, best, own).points;
     work.spend(before - own.left());
     if (!is_any_bad || before == own.left()) break;
   }

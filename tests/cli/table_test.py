@@ -152,14 +152,24 @@ class Read(TableTest, MeshTest):
                                            "q1:02228a2a5777df7f"))
         self.assertRegex(ran.err, r"\Ahexatlas: q1:02228a2a5777df7f \(16 quads\)[^\n]+\n\Z")
 
-    def test_a_report_does_not_take_its_place(self):
+    def test_no_output_takes_its_place(self):
         cube = os.path.join(program.INPUTS, "cube.obj")
-        for words in (("hex", cube), ("boundary", "cube")):
-            for name in ("small.hxt", "./small.hxt"):
-                ran = self.expect(2, self.hexatlas("mesh", *words, "-o", "a.vtk", "--table", "small.hxt", "--report", name))
-                self.assertIn("the table and --report are the same file", ran.err)
+        self.expect(0, self.hexatlas("mesh", "hex", cube, "-o", "cube.vtk"))
+        self.write("s.hxs", "sectors")
+        os.symlink("small.hxt", self.path("link.vtk"))
+        before = self.listing()
+        for words in (("mesh", "hex", cube), ("mesh", "boundary", "cube"), ("simplify", "cube.vtk")):
+            outputs = [("--output", "link.vtk", ())]
+            if words[0] == "mesh":
+                outputs += [("--report", name, ("-o", "a.vtk")) for name in ("small.hxt", "./small.hxt")]
+            for option, name, others in outputs:
+                ran = self.expect(2, self.hexatlas(*words, "--table", "small.hxt", option, name, *others))
+                self.assertIn(f"the table and {option} are the same file", ran.err)
+        ran = self.expect(2, self.hexatlas("mesh", "hex", cube, "-o", "a.vtk", "--sectors", "s.hxs", "--report", "s.hxs"))
+        self.assertIn("--sectors and --report are the same file", ran.err)
         self.assertEqual(self.read("small.hxt"), self.good)
-        self.assertNotIn("a.vtk", self.listing())
+        self.assertEqual(self.read("s.hxs"), b"sectors")
+        self.assertEqual(self.listing(), before)
 
     def test_a_list_has_what_get_says(self):
         rows = [line.split("\t") for line in

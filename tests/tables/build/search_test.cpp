@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "enum/core/errors.hpp"
@@ -77,6 +78,15 @@ build::SearchOptions small(int threads) {
   return options;
 }
 
+TableSearch run_to_its_end(TableSearch search) {
+  while (!search.is_finished()) search.step();
+  return search;
+}
+
+TableSearch finished(std::vector<canon::Code> codes, const build::SearchOptions& options) {
+  return run_to_its_end({std::move(codes), options});
+}
+
 std::string table_of(const TableSearch& search) {
   return format::table_bytes(build::table_rows(search), {});
 }
@@ -109,8 +119,7 @@ TEST(TableSearch, FillsWhatItSays) {
 
 TEST(TableSearch, IsTheSameForAnyThreadsAndAfterAnyInterruption) {
   const auto codes = build::three_connected_codes(10);
-  TableSearch whole(codes, small(1));
-  while (!whole.is_finished()) whole.step();
+  const TableSearch whole = finished(codes, small(1));
   const std::string expected = whole.to_bytes();
 
   TableSearch interrupted(codes, small(2));
@@ -134,10 +143,8 @@ TEST(TableSearch, TakesCollarsWiderThanStates) {
     options.guided = guided;
     return options;
   };
-  TableSearch one(codes, wide(1, 2));
-  while (!one.is_finished()) one.step();
-  TableSearch three(codes, wide(3, 2));
-  while (!three.is_finished()) three.step();
+  const TableSearch one = finished(codes, wide(1, 2));
+  const TableSearch three = finished(codes, wide(3, 2));
   EXPECT_EQ(one.to_bytes(), three.to_bytes());
   const auto verdict = check::check_table_bytes(table_of(one));
   EXPECT_TRUE(verdict.accepted) << verdict.reason;
@@ -153,11 +160,11 @@ TEST(TableSearch, TakesBoundariesAsWideAsStatesHave) {
   options.balls.max_quads = flips::kMaxStateQuads;
   options.balls.fronts_per_level = 20;
   options.max_hexahedra = 24;
-  TableSearch whole(codes, options), saved(codes, options);
-  while (!whole.is_finished()) whole.step();
+  const TableSearch whole = finished(codes, options);
   int widest = 0;
   for (const auto& code : whole.balls().codes()) widest = std::max(widest, int{code.quads});
   EXPECT_EQ(widest, flips::kMaxStateQuads);
+  TableSearch saved(codes, options);
   for (int step = 0; !saved.is_finished(); ++step) {
     saved.step();
     if (step % 5 == 0) saved = TableSearch::from_bytes(saved.to_bytes(), codes, options, "saved");
@@ -171,24 +178,20 @@ TEST(TableSearch, MayGoOnForFurtherRounds) {
   const auto codes = build::three_connected_codes(10);
   build::SearchOptions options = small(1);
   options.rounds = 3;
-  TableSearch whole(codes, options);
-  while (!whole.is_finished()) whole.step();
+  const TableSearch whole = finished(codes, options);
   options.rounds = 1;
-  TableSearch first(codes, options);
-  while (!first.is_finished()) first.step();
+  const TableSearch first = finished(codes, options);
   options.rounds = 3;
   auto longer = TableSearch::from_bytes(first.to_bytes(), codes, options, "saved");
   EXPECT_FALSE(longer.is_finished());
-  while (!longer.is_finished()) longer.step();
-  EXPECT_EQ(longer.to_bytes(), whole.to_bytes());
+  EXPECT_EQ(run_to_its_end(std::move(longer)).to_bytes(), whole.to_bytes());
 }
 
 TEST(TableSearch, EndsTheRoundItIsInIfFewerAreWanted) {
   const auto codes = build::three_connected_codes(10);
   build::SearchOptions options = small(1);
   options.rounds = 2;
-  TableSearch whole(codes, options);
-  while (!whole.is_finished()) whole.step();
+  const TableSearch whole = finished(codes, options);
   options.rounds = 3;
   TableSearch longer(codes, options);
   while (!longer.progress().phase.starts_with("round 2")) longer.step();
@@ -206,8 +209,7 @@ std::map<canon::Code, int> hexahedra_of(const TableSearch& search) {
 
 TEST(TableSearch, BeginsWithWhatOthersFound) {
   const auto codes = build::three_connected_codes(12);
-  TableSearch first(codes, small(1));
-  while (!first.is_finished()) first.step();
+  const TableSearch first = finished(codes, small(1));
   const auto found = hexahedra_of(first);
   ASSERT_GE(found.size(), 4U);
   EXPECT_TRUE(TableSearch::is_saved(first.to_bytes()));
@@ -235,8 +237,8 @@ TEST(TableSearch, BeginsWithWhatOthersFound) {
     EXPECT_EQ(support::fault_of_mesh(taken.mesh(row.code), row.code), "");
   }
   EXPECT_EQ(taken.take_over(table, "table"), 0U);
-  while (!taken.is_finished()) taken.step();
-  for (const auto& [code, hexahedra] : found) EXPECT_LE(hexahedra_of(taken)[code], hexahedra);
+  const auto after = hexahedra_of(run_to_its_end(std::move(taken)));
+  for (const auto& [code, hexahedra] : found) EXPECT_LE(after.at(code), hexahedra);
 }
 
 TEST(TableSearch, ExchangesMeshesBesideTheBeamToo) {
