@@ -23,7 +23,7 @@ BUILD = ("table", "build", "-o", "a.hxt", "--max-quads", "6", "--max-hexahedra",
 
 class Help(TableTest):
     def test_help_has_an_example(self):
-        for verb in ([], ["mesh"], ["table"], *VERBS):
+        for verb in program.share_of(([], ["mesh"], ["table"], *VERBS)):
             with self.subTest(verb=verb):
                 ran = self.expect(0, self.hexatlas(*verb, "--help"))
                 self.assertEqual(ran.err, "")
@@ -192,8 +192,9 @@ class Surroundings(TableTest):
         self.text = surfaces.obj(*surfaces.cube())
 
     def test_names_of_files(self):
-        for folder in ("a folder", "\u00fcn\u00ef/\u4e2d\u6587", "quo'te\"$HOME;*", "back\\slash",
-                       "dot.vtk", "-dash", os.fsdecode(b"byte\xff")):
+        folders = ("a folder", "\u00fcn\u00ef/\u4e2d\u6587", "quo'te\"$HOME;*", "back\\slash", "dot.vtk",
+                   "-dash", os.fsdecode(b"byte\xff"))
+        for folder in program.share_of(folders, 2):
             with self.subTest(folder=folder):
                 os.makedirs(self.path(folder))
                 name = os.path.join(".", folder, "in put.obj")

@@ -117,11 +117,11 @@ class Inputs(MeshTest):
 
     def test_disguises(self):
         rng = random.Random(7)
-        for name in ("cube", "two-cubes", "rhombic-dodecahedron", "three-cubes-l",
-                     "schneiders-pyramid"):
+        for i, name in enumerate(("cube", "two-cubes", "rhombic-dodecahedron", "three-cubes-l",
+                                  "schneiders-pyramid")):
             original = surfaces.read_obj(os.path.join(program.INPUTS, name + ".obj"))
             counts = set()
-            for k in range(6):
+            for k in program.share_of(range(6), i):
                 with self.subTest(input=name, disguise=k):
                     points, quads = disguised(original, rng)
                     if k % 2 == 1:  # a mirror image, its quads still from outside
@@ -375,7 +375,7 @@ class Construction(MeshTest):
             self.construct(disguised(surfaces.grid_cube(3), rng), "out.mesh")
 
     def test_small_surfaces_if_asked(self):
-        for name in sorted(os.listdir(program.INPUTS)):
+        for name in program.share_of(sorted(os.listdir(program.INPUTS))):
             surface = surfaces.read_obj(os.path.join(program.INPUTS, name))
             made = self.construct(surface, "made.vtu")
             listed = self.mesh_and_judge(surface, "listed.vtk", "--method", "table", "--effort", "0")
