@@ -268,13 +268,17 @@ void add_simplify(CLI::App& app, Action& action) {
       ->check(CLI::Range(6, flips::kMaxSearchQuads))
       ->capture_default_str();
   command->add_flag("!--parts", search.whole, "Never take the whole mesh for a cavity");
+  command->add_flag("--keep-valid", options->keep_valid,
+                    "Take back what leaves more hexahedra that are not proven valid than there "
+                    "were: slower, and less becomes smaller");
   add_seed(*command, search.seed);
   add_effort(*command, options->effort);
   command->add_flag("--json", options->json, "Print one JSON object");
   add_require_valid(*command, options->require_valid);
   command->footer(
       "Boundary points stay bit for bit; interior ones are placed anew if the mesh gets smaller;\n"
-      "fewer hexahedra can be worse ones, down to inverted: the quality of both meshes is told.\n"
+      "fewer hexahedra can be worse ones, down to inverted, without --keep-valid: the quality of\n"
+      "both meshes is told.\n"
       "Regions, references and quads that the file lists are not kept, nor what is between them.\n"
       "Exit code 4 if it was stopped; the least mesh so far is written then. With -o - the\n"
       "summary, or the JSON, goes to standard error.\n" +

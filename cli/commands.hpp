@@ -102,6 +102,7 @@ struct SimplifyOptions {
   bool without_table = false;
   bool json = false;
   bool require_valid = false;
+  bool keep_valid = false;                ///< no more hexahedra not proven valid than before
   int effort = untangle::kDefaultEffort;  ///< of placing the interior vertices
   simplify::Options search;
 };

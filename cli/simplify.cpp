@@ -121,18 +121,76 @@ std::string summary(const Change& change, const std::string& output) {
                      quality_text(change.before), quality_text(change.after));
 }
 
-simplify::Simplified searched(const complex::HexComplex& mesh, const SimplifyOptions& options) {
-  simplify::Options search = options.search;
-  search.stop = &stop_requested();
-  std::optional<format::Table> table;
-  if (!options.without_table) table = open_table(options.table);
-  ProgressLine line;
-  search.progress = [&](std::size_t tries, std::size_t hexahedra) {
-    line.update(fmt::format("{} hexahedra, least {}; tries", mesh.hexahedra.size(), hexahedra),
-                tries, search.tries);
-  };
-  return simplify::simplified(mesh, table ? &*table : nullptr, search);
-}
+struct Searched {
+  mesh::HexMesh mesh;  ///< the one given, as it was, if none was smaller
+  std::size_t exchanges = 0;
+  bool is_stopped = false;
+};
+
+/// Searches in stages, each from the least mesh so far, so that one can be taken back.
+class Search {
+ public:
+  explicit Search(const SimplifyOptions& options) : options_(options) {
+    if (!options.without_table) table_ = open_table(options.table);
+  }
+
+  Searched run(const mesh::HexMesh& given, Start start) {
+    Searched result{given};
+    const std::size_t all = options_.search.tries;
+    const std::size_t most = options_.keep_valid ? std::max<std::size_t>(all / kStages, 1) : all;
+    const std::size_t bound = not_valid(given);
+    std::size_t length = most;
+    std::size_t taken_back = 0;
+    for (std::size_t stage = 0, done = 0;
+         done < all && taken_back < kMostTakenBack && !result.is_stopped; ++stage) {
+      length = std::min(length, all - done);
+      simplify::Simplified made = searched(start.mesh, stage, done, length);
+      done += length;
+      result.is_stopped = made.is_stopped;
+      if (made.mesh.hexahedra.size() == start.mesh.hexahedra.size()) {
+        result.exchanges += made.exchanges;
+        continue;
+      }
+      mesh::HexMesh mesh = placed(made.mesh, start.boundary, options_.effort);
+      if (options_.keep_valid && not_valid(mesh) > bound) {
+        ++taken_back;
+        length = std::max<std::size_t>(length / 2, 1);
+        continue;
+      }
+      result.mesh = std::move(mesh);
+      result.exchanges += made.exchanges;
+      start.mesh = std::move(made.mesh);
+      length = std::min(2 * length, most);
+    }
+    return result;
+  }
+
+ private:
+  static constexpr std::size_t kStages = 16;
+  static constexpr std::size_t kMostTakenBack = 50;  ///< each takes all of the effort
+
+  static std::size_t not_valid(const mesh::HexMesh& mesh) {
+    const quality::Report report = quality::report(mesh);
+    return report.cells - report.valid;
+  }
+
+  simplify::Simplified searched(const complex::HexComplex& mesh, std::size_t stage,
+                                std::size_t done, std::size_t tries) {
+    simplify::Options search = options_.search;
+    search.tries = tries;
+    search.seed += stage;
+    search.stop = &stop_requested();
+    search.progress = [&](std::size_t now, std::size_t hexahedra) {
+      line_.update(fmt::format("{} hexahedra, least {}; tries", mesh.hexahedra.size(), hexahedra),
+                   done + now, options_.search.tries);
+    };
+    return simplify::simplified(mesh, table_ ? &*table_ : nullptr, search);
+  }
+
+  const SimplifyOptions& options_;
+  std::optional<format::Table> table_;
+  ProgressLine line_;
+};
 
 }  // namespace
 
@@ -147,13 +205,12 @@ ExitCode simplify_mesh(const SimplifyOptions& options) {
   if (!is_shown_ball(given, name))
     say("note: that " + name + " is a ball was not shown; what is written is homeomorphic to it");
   turn_over_what_is_inside_out(given, name);
-  const Start start = start_of(given);
-  const simplify::Simplified made = searched(start.mesh, options);
-  const bool is_smaller = made.mesh.hexahedra.size() < given.hexahedra.size();
-  const mesh::HexMesh mesh = is_smaller ? placed(made.mesh, start.boundary, options.effort) : given;
-  write_mesh(options.output, mesh);
-  const Change change{quality::report(given), quality::report(mesh),
-                      mesh.points.size() - start.boundary.points.size(), made.exchanges};
+  Start start = start_of(given);
+  const std::size_t on_boundary = start.boundary.points.size();
+  const Searched made = Search(options).run(given, std::move(start));
+  write_mesh(options.output, made.mesh);
+  const Change change{quality::report(given), quality::report(made.mesh),
+                      made.mesh.points.size() - on_boundary, made.exchanges};
   tell(options.output,
        options.json ? json_line(change, seconds() - begin) : summary(change, options.output));
   if (!made.is_stopped) return answer_for(change.after, options.require_valid);

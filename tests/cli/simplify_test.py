@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Claim. `simplify` writes a mesh with the boundary of the mesh given, quad by quad and its points bit for bit, and no
 more hexahedra; a layer put around a mesh of the table goes away again; the same seed gives the same bytes;
+with --keep-valid no more hexahedra are invalid than were;
 what is no mesh of a ball is refused; a stop leaves a mesh.
 Oracle. hex_files.py, which reads and writes files on its own; `hexatlas check`, which shares no code with
 the exchange; the number of hexahedra before the layer was put on.
@@ -76,6 +77,27 @@ class Simplify(program.ProgramTest):
                     self.assertEqual(boundary_at_points(made), boundary_at_points(given))
                     judged = self.expect(0, self.hexatlas("check", "out.vtk", "--json"))
                     self.assertEqual(json.loads(judged.out)["interior_vertices"], said["interior_vertices"])
+
+    def test_no_more_invalid_hexahedra_if_asked(self):
+        self.write("in.obj", surfaces.obj(*surfaces.grid_cube(3)))
+        self.expect(0, self.hexatlas("mesh", "hex", "in.obj", "-o", "in.vtk", "--method", "flips", "--layers", "1",
+                                     "--effort", "1"))
+        options = ("--tries", "64", "--effort", "1")
+        plain = self.simplified(*options)
+        self.assertEqual(plain["quality_before"]["valid"], plain["before"])
+        self.assertLess(plain["valid"], plain["after"])
+        kept = self.simplified(*options, "--keep-valid", "--require-valid")
+        self.assertEqual(kept["valid"], kept["after"])
+        # Of layers without thickness no hexahedron is valid: each one less is welcome.
+        self.write("in.vtk", vtk(*wrapped(*self.table_mesh("three-cubes-l"))))
+        self.expect(0, self.hexatlas("check", "in.vtk"))
+        kept = self.simplified(*options, "--keep-valid")
+        self.assertLess(kept["after"], kept["before"])
+        self.assertLessEqual(kept["after"] - kept["valid"], kept["before"] - kept["quality_before"]["valid"])
+        self.expect(0, self.hexatlas("check", "out.vtk"))
+        once = self.read("out.vtk")
+        self.simplified(*options, "--keep-valid")
+        self.assertEqual(self.read("out.vtk"), once)
 
     def test_same_bytes_again_and_in_all_formats(self):
         self.write("in.vtk", vtk(*wrapped(*self.table_mesh("three-cubes-l"))))
