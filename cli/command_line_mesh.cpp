@@ -270,7 +270,7 @@ void add_simplify(CLI::App& app, Action& action) {
   command->add_flag("!--parts", search.whole, "Never take the whole mesh for a cavity");
   command->add_flag("--keep-valid", options->keep_valid,
                     "Take back what leaves more hexahedra that are not proven valid than there "
-                    "were: slower, and less becomes smaller");
+                    "were, at most 50 times: slower, and less becomes smaller");
   add_seed(*command, search.seed);
   add_effort(*command, options->effort);
   command->add_flag("--json", options->json, "Print one JSON object");

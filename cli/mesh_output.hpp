@@ -29,8 +29,8 @@ struct MeshFiles {
 [[nodiscard]] check::Mesh for_judge(const mesh::HexMesh& mesh);
 [[nodiscard]] check::Surface for_judge(const mesh::SurfaceMesh& surface);
 
-/// Whether no output takes the place of another one, of the input, or of the table and what lies
-/// beside it, which would lose one of them; says so if one does.
+/// Whether no output takes the place of another one, of the input, of the sectors asked for, or of
+/// the table asked for and what lies beside it, which would lose one of them; says so if one does.
 /// `input` is its word on the command line of the verb.
 [[nodiscard]] bool are_distinct(const MeshFiles& files, const char* input, const char* verb);
 

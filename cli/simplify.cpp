@@ -101,6 +101,8 @@ struct Change {
   std::size_t interior = 0, exchanges = 0;
 };
 
+std::size_t not_valid(const quality::Report& report) { return report.cells - report.valid; }
+
 std::string json_line(const Change& change, double elapsed) {
   nlohmann::ordered_json json;
   json["before"] = change.before.cells;
@@ -121,9 +123,11 @@ std::string summary(const Change& change, const std::string& output) {
                      quality_text(change.before), quality_text(change.after));
 }
 
-struct Searched {
+struct Outcome {
   mesh::HexMesh mesh;  ///< the one given, as it was, if none was smaller
   std::size_t exchanges = 0;
+  std::size_t taken_back = 0;
+  std::size_t tries = 0;
   bool is_stopped = false;
 };
 
@@ -134,62 +138,56 @@ class Search {
     if (!options.without_table) table_ = open_table(options.table);
   }
 
-  Searched run(const mesh::HexMesh& given, Start start) {
-    Searched result{given};
+  /// `bound`: hexahedra of the mesh given that are not proven valid.
+  Outcome run(const mesh::HexMesh& given, Start start, std::size_t bound) {
+    Outcome result{given};
     const std::size_t all = options_.search.tries;
-    const std::size_t most = options_.keep_valid ? std::max<std::size_t>(all / kStages, 1) : all;
-    const std::size_t bound = not_valid(given);
-    std::size_t length = most;
-    std::size_t taken_back = 0;
-    for (std::size_t stage = 0, done = 0;
-         done < all && taken_back < kMostTakenBack && !result.is_stopped; ++stage) {
-      length = std::min(length, all - done);
-      simplify::Simplified made = searched(start.mesh, stage, done, length);
-      done += length;
+    const std::size_t longest = options_.keep_valid ? std::max(all / kStages, kShortestStage) : all;
+    std::size_t length = longest;
+    for (std::uint64_t stage = 0; result.tries < all && result.taken_back < kMostTakenBack &&
+                                  start.mesh.hexahedra.size() > 1 && !result.is_stopped;
+         ++stage) {
+      length = std::min(length, all - result.tries);
+      simplify::Simplified made = stage_from(start.mesh, stage, result.tries, length);
+      result.tries += length;
       result.is_stopped = made.is_stopped;
-      if (made.mesh.hexahedra.size() == start.mesh.hexahedra.size()) {
-        result.exchanges += made.exchanges;
-        continue;
+      bool is_taken = true;
+      if (made.mesh.hexahedra.size() < start.mesh.hexahedra.size()) {
+        mesh::HexMesh mesh = placed(made.mesh, start.boundary, options_.effort);
+        is_taken = !options_.keep_valid || not_valid(quality::report(mesh)) <= bound;
+        if (is_taken) {
+          result.mesh = std::move(mesh);
+          start.mesh = std::move(made.mesh);
+        }
       }
-      mesh::HexMesh mesh = placed(made.mesh, start.boundary, options_.effort);
-      if (options_.keep_valid && not_valid(mesh) > bound) {
-        ++taken_back;
-        length = std::max<std::size_t>(length / 2, 1);
-        continue;
-      }
-      result.mesh = std::move(mesh);
       result.exchanges += made.exchanges;
-      start.mesh = std::move(made.mesh);
-      length = std::min(2 * length, most);
+      result.taken_back += is_taken ? 0 : 1;
+      length = is_taken ? std::min(2 * length, longest) : std::max(length / 2, kShortestStage);
     }
     return result;
   }
 
  private:
   static constexpr std::size_t kStages = 16;
+  static constexpr std::size_t kShortestStage = 16;
   static constexpr std::size_t kMostTakenBack = 50;  ///< each takes all of the effort
 
-  static std::size_t not_valid(const mesh::HexMesh& mesh) {
-    const quality::Report report = quality::report(mesh);
-    return report.cells - report.valid;
-  }
-
-  simplify::Simplified searched(const complex::HexComplex& mesh, std::size_t stage,
-                                std::size_t done, std::size_t tries) {
+  simplify::Simplified stage_from(const complex::HexComplex& mesh, std::uint64_t stage,
+                                  std::size_t done, std::size_t tries) {
     simplify::Options search = options_.search;
     search.tries = tries;
-    search.seed += stage;
+    search.seed += stage * 0x9e3779b97f4a7c15;  // seeds in a row share no stage
     search.stop = &stop_requested();
+    ProgressLine line;
     search.progress = [&](std::size_t now, std::size_t hexahedra) {
-      line_.update(fmt::format("{} hexahedra, least {}; tries", mesh.hexahedra.size(), hexahedra),
-                   done + now, options_.search.tries);
+      line.update(fmt::format("{} hexahedra, least {}; tries", mesh.hexahedra.size(), hexahedra),
+                  done + now, options_.search.tries);
     };
     return simplify::simplified(mesh, table_ ? &*table_ : nullptr, search);
   }
 
   const SimplifyOptions& options_;
   std::optional<format::Table> table_;
-  ProgressLine line_;
 };
 
 }  // namespace
@@ -207,10 +205,16 @@ ExitCode simplify_mesh(const SimplifyOptions& options) {
   turn_over_what_is_inside_out(given, name);
   Start start = start_of(given);
   const std::size_t on_boundary = start.boundary.points.size();
-  const Searched made = Search(options).run(given, std::move(start));
+  const quality::Report before = quality::report(given);
+  const Outcome made = Search(options).run(given, std::move(start), not_valid(before));
   write_mesh(options.output, made.mesh);
-  const Change change{quality::report(given), quality::report(made.mesh),
-                      made.mesh.points.size() - on_boundary, made.exchanges};
+  const Change change{before, quality::report(made.mesh), made.mesh.points.size() - on_boundary,
+                      made.exchanges};
+  if (made.taken_back > 0)
+    say(fmt::format(
+        "note: {} taken back, since more hexahedra were not proven valid; {} of {} made",
+        counted(made.taken_back, "change", "changes"), counted(made.tries, "try", "tries"),
+        options.search.tries));
   tell(options.output,
        options.json ? json_line(change, seconds() - begin) : summary(change, options.output));
   if (!made.is_stopped) return answer_for(change.after, options.require_valid);

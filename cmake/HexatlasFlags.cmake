@@ -27,10 +27,6 @@ if(HEXATLAS_SANITIZE)
   add_compile_options(-fsanitize=${HEXATLAS_SANITIZE} -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${HEXATLAS_SANITIZE})
-  # The whole of ThreadSanitizer is linked into each program, and a test has an operator new of its own.
-  if(HEXATLAS_SANITIZE MATCHES "thread" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-    add_link_options(-Wl,--allow-multiple-definition)
-  endif()
   # A program that may be loaded anywhere has 130,000 places to put right at its start, nearly all of
   # UndefinedBehaviorSanitizer: a third of the time of a short run.
   if(HEXATLAS_SANITIZE MATCHES "address")

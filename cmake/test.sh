@@ -66,7 +66,7 @@ fixed_layout() {
 }
 
 # clang, clang-tidy and lld take an eighth less time with their memory in large pages.
-in_large_pages=glibc.malloc.hugetlb=1
+in_large_pages=${GLIBC_TUNABLES:+$GLIBC_TUNABLES:}glibc.malloc.hugetlb=1
 
 build() { # PRESET [TARGET...]
   local -x GLIBC_TUNABLES=$in_large_pages

@@ -121,7 +121,7 @@ class Inputs(MeshTest):
                                   "schneiders-pyramid")):
             original = surfaces.read_obj(os.path.join(program.INPUTS, name + ".obj"))
             counts = set()
-            for k in program.share_of(range(6), i):
+            for k in range(i % 3, 6, 3) if program.SANITIZED else range(6):  # one of them mirrored
                 with self.subTest(input=name, disguise=k):
                     points, quads = disguised(original, rng)
                     if k % 2 == 1:  # a mirror image, its quads still from outside

@@ -88,6 +88,14 @@ class Simplify(program.ProgramTest):
         self.assertLess(plain["valid"], plain["after"])
         kept = self.simplified(*options, "--keep-valid", "--require-valid")
         self.assertEqual(kept["valid"], kept["after"])
+        # A cube in a cube: one hexahedron is as valid as seven.
+        cube = [(float(x), float(y), float(z)) for z in (0, 3) for y in (0, 3) for x in (0, 3)]
+        inner = [tuple(1 + w / 3 for w in p) for p in cube]
+        whole = (0, 1, 3, 2, 4, 5, 7, 6)
+        _, cells = wrapped(cube, [whole])
+        self.write("in.vtk", vtk(cube + inner, cells))
+        kept = self.simplified(*options, "--keep-valid", "--require-valid")
+        self.assertEqual((kept["before"], kept["quality_before"]["valid"], kept["after"], kept["valid"]), (7, 7, 1, 1))
         # Of layers without thickness no hexahedron is valid: each one less is welcome.
         self.write("in.vtk", vtk(*wrapped(*self.table_mesh("three-cubes-l"))))
         self.expect(0, self.hexatlas("check", "in.vtk"))
@@ -179,16 +187,17 @@ class Simplify(program.ProgramTest):
 
     def test_a_stop_leaves_a_mesh(self):
         self.write("in.vtk", vtk(*wrapped(*self.table_mesh("schneiders-pyramid"))))
-        with subprocess.Popen([program.PROGRAM, "simplify", "in.vtk", "-o", "out.vtk", "--json", "--tries",
-                               "1000000000", "--parts"], cwd=self.folder, stdin=subprocess.DEVNULL,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
-            time.sleep(3)
-            running.send_signal(signal.SIGINT)
-            out, err = running.communicate(timeout=120)
-        self.assertEqual(running.returncode, 4, err)
-        self.assertIn(b"stopped", err)
-        self.assertEqual(set(json.loads(out)), KEYS)
-        self.expect(0, self.hexatlas("check", "out.vtk"))
+        for options in (("--parts",), ("--parts", "--keep-valid", "--effort", "0")):
+            with subprocess.Popen([program.PROGRAM, "simplify", "in.vtk", "-o", "out.vtk", "--json", "--tries",
+                                   "1000000000", *options], cwd=self.folder, stdin=subprocess.DEVNULL,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+                time.sleep(2)
+                running.send_signal(signal.SIGINT)
+                out, err = running.communicate(timeout=120)
+            self.assertEqual(running.returncode, 4, err)
+            self.assertIn(b"stopped", err)
+            self.assertEqual(set(json.loads(out)), KEYS)
+            self.expect(0, self.hexatlas("check", "out.vtk"))
 
 
 if __name__ == "__main__":
