@@ -125,6 +125,7 @@ std::string summary(const Change& change, const std::string& output) {
 
 struct Outcome {
   mesh::HexMesh mesh;  ///< the one given, as it was, if none was smaller
+  quality::Report quality;
   std::size_t exchanges = 0;
   std::size_t taken_back = 0;
   std::size_t tries = 0;
@@ -138,9 +139,8 @@ class Search {
     if (!options.without_table) table_ = open_table(options.table);
   }
 
-  /// `bound`: hexahedra of the mesh given that are not proven valid.
-  Outcome run(const mesh::HexMesh& given, Start start, std::size_t bound) {
-    Outcome result{given};
+  Outcome run(const mesh::HexMesh& given, const quality::Report& before, Start start) {
+    Outcome result{given, before};
     const std::size_t all = options_.search.tries;
     const std::size_t longest = options_.keep_valid ? std::max(all / kStages, kShortestStage) : all;
     std::size_t length = longest;
@@ -149,18 +149,20 @@ class Search {
          ++stage) {
       length = std::min(length, all - result.tries);
       simplify::Simplified made = stage_from(start.mesh, stage, result.tries, length);
-      result.tries += length;
+      result.tries += made.tries;
+      result.exchanges += made.exchanges;
       result.is_stopped = made.is_stopped;
       bool is_taken = true;
       if (made.mesh.hexahedra.size() < start.mesh.hexahedra.size()) {
         mesh::HexMesh mesh = placed(made.mesh, start.boundary, options_.effort);
-        is_taken = !options_.keep_valid || not_valid(quality::report(mesh)) <= bound;
+        const quality::Report after = quality::report(mesh);
+        is_taken = !options_.keep_valid || not_valid(after) <= not_valid(before);
         if (is_taken) {
           result.mesh = std::move(mesh);
+          result.quality = after;
           start.mesh = std::move(made.mesh);
         }
       }
-      result.exchanges += made.exchanges;
       result.taken_back += is_taken ? 0 : 1;
       length = is_taken ? std::min(2 * length, longest) : std::max(length / 2, kShortestStage);
     }
@@ -206,10 +208,9 @@ ExitCode simplify_mesh(const SimplifyOptions& options) {
   Start start = start_of(given);
   const std::size_t on_boundary = start.boundary.points.size();
   const quality::Report before = quality::report(given);
-  const Outcome made = Search(options).run(given, std::move(start), not_valid(before));
+  const Outcome made = Search(options).run(given, before, std::move(start));
   write_mesh(options.output, made.mesh);
-  const Change change{before, quality::report(made.mesh), made.mesh.points.size() - on_boundary,
-                      made.exchanges};
+  const Change change{before, made.quality, made.mesh.points.size() - on_boundary, made.exchanges};
   if (made.taken_back > 0)
     say(fmt::format(
         "note: {} taken back, since more hexahedra were not proven valid; {} of {} made",

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// How many of its cases a test goes through. A sanitizer takes ten times as long and looks at what
-/// the code does, not at how often it is right: there it is a quarter of them. Some tests are in
+/// the code does, not at how often it is right: there it is an eighth of them. Some tests are in
 /// two programs, one of which runs in release only and goes further.
 
 namespace hexatlas::support {
@@ -18,9 +18,9 @@ inline constexpr bool kSanitized = false;
 inline constexpr bool kSanitized = false;
 #endif
 
-[[nodiscard]] constexpr int share_of(int cases) { return kSanitized ? cases / 4 : cases; }
-/// Of cases that are listed, not drawn: each one, or each fourth.
-inline constexpr int kStride = kSanitized ? 4 : 1;
+[[nodiscard]] constexpr int share_of(int cases) { return kSanitized ? cases / 8 : cases; }
+/// Of cases that are listed, not drawn: each one, or each eighth.
+inline constexpr int kStride = kSanitized ? 8 : 1;
 
 [[nodiscard]] constexpr int by_length(int cases, int in_a_long_test) {
   return HEXATLAS_LONG != 0 ? in_a_long_test : cases;

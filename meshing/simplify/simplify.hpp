@@ -45,6 +45,7 @@ struct Options {
 struct Simplified {
   complex::HexComplex mesh;   ///< the least one; the mesh given, as it was, if none was smaller
   std::size_t exchanges = 0;  ///< made on the way
+  std::size_t tries = 0;      ///< fewer than asked for if it is stopped or one hexahedron is left
   bool is_stopped = false;
 };
 

@@ -161,7 +161,7 @@ class BadInput(program.ProgramTest):
             extension, writer, _, _ = surfaces.FORMATS[key]
             text = writer(*surfaces.cube())
             for old, others in changes.items():
-                for new in others:
+                for new in self.some(others, key + old):
                     with self.subTest(format=key, old=old, new=new):
                         self.assertEqual(text.count(old), 1)
                         self.refuse("bad" + extension, text.replace(old, new))
@@ -170,8 +170,8 @@ class BadInput(program.ProgramTest):
         noise = random.Random(20).randbytes(2000)
 
         def body(name, _writer, _base, _pentagons):
-            for content in (b"", b"\n\n", noise, noise.replace(b"\n", b"") + b"\n", b"\0" * 512,
-                            "\u00e9t\u00e9\n"):
+            for content in self.some((b"", b"\n\n", noise, noise.replace(b"\n", b"") + b"\n", b"\0" * 512,
+                                      "\u00e9t\u00e9\n"), name):
                 self.refuse(name, content)
         self.in_each_format(body)
 

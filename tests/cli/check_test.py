@@ -6,6 +6,7 @@ Oracle. The damage is put in here: two cubes on one another, written out by hand
 record, the face budget: 8 quads, one hexahedron has 6; a sector of 30 hexahedra from a file, and a
 layer of 26 around it, one for each quad.
 """
+import itertools
 import json
 import os
 import shutil
@@ -103,26 +104,23 @@ class Check(program.ProgramTest):
 
     def test_each_exchange_of_two_labels_is_rejected(self):
         points = points_of_two_cubes()
-        for i in range(8):
-            for j in range(i):
-                cell = list(CELLS[0])
-                cell[i], cell[j] = cell[j], cell[i]
-                with self.subTest(exchanged=(i, j)):
-                    ran = self.expect(1, self.check(points, [cell, CELLS[1]]))
-                    self.assertRegex(ran.out, r"\Amesh\.vtk: rejected: [^\n]+\n\Z")
-                    self.assertEqual(ran.err, "")
+        for i, j in program.share_of(list(itertools.combinations(range(8), 2))):
+            cell = list(CELLS[0])
+            cell[i], cell[j] = cell[j], cell[i]
+            with self.subTest(exchanged=(i, j)):
+                ran = self.expect(1, self.check(points, [cell, CELLS[1]]))
+                self.assertRegex(ran.out, r"\Amesh\.vtk: rejected: [^\n]+\n\Z")
+                self.assertEqual(ran.err, "")
 
     def test_each_other_label_is_rejected(self):
         points = points_of_two_cubes()
-        for i in range(8):
-            for v in range(12):
-                if v == CELLS[0][i]:
-                    continue
-                cell = list(CELLS[0])
-                cell[i] = v
-                with self.subTest(corner=i, vertex=v):
-                    ran = self.check(points, [cell, CELLS[1]])
-                    self.assertIn(ran.code, (1, 3), ran)
+        others = [(i, v) for i in range(8) for v in range(12) if v != CELLS[0][i]]
+        for i, v in program.share_of(others):
+            cell = list(CELLS[0])
+            cell[i] = v
+            with self.subTest(corner=i, vertex=v):
+                ran = self.check(points, [cell, CELLS[1]])
+                self.assertIn(ran.code, (1, 3), ran)
 
     def test_other_meshes(self):
         points = points_of_two_cubes()
@@ -154,14 +152,14 @@ class Check(program.ProgramTest):
 
     def test_malformed(self):
         text = vtk(points_of_two_cubes(), CELLS)
-        for extension in (".vtk", ".vtu", ".mesh", ".msh"):
+        for i, extension in enumerate((".vtk", ".vtu", ".mesh", ".msh")):
             name = "bad" + extension
-            for content in BAD + (text[:100],):
+            for content in program.share_of(BAD + (text[:100],), i, least=2):
                 self.write(name, content)
                 with self.subTest(file=name, content=content[:20]):
                     self.expect_fault(self.hexatlas("check", name), name)
                     self.expect_fault(self.hexatlas("check", name, "--json"), name)
-        for place in range(0, len(text) - 3, 41):
+        for place in program.share_of(range(0, len(text) - 3, 41)):
             self.write("cut.vtk", text[:place])
             self.expect_fault(self.hexatlas("check", "cut.vtk"), "cut.vtk")
         for damage in (("POINTS 12", "POINTS 13"), ("CELLS 2 18", "CELLS 2 19"), ("\n12\n", "\n10\n"),

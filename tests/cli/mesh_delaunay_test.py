@@ -72,7 +72,7 @@ class MeshDelaunayTest(program.ProgramTest):
         self.assertIn("accepted", ran.out)
 
     def test_every_kind_of_input_is_meshed_and_accepted(self):
-        for name, points in (
+        for name, points in program.share_of((
                 ("uniform", uniform(5000 if program.SANITIZED else 20000)), ("clusters", clusters(5000)),
                 ("sphere", sphere(3000)), ("paraboloid", on_paraboloid(3000)), ("helix", on_helix(300)),
                 ("grid", grid(10 if program.SANITIZED else 20)), ("grid of tenths", grid(12, 0.1)),
@@ -80,7 +80,7 @@ class MeshDelaunayTest(program.ProgramTest):
                 ("smallest", [tuple(5e-324 * x for x in p) for p in grid(4)]),
                 ("largest", [tuple(1e307 * x - 1e307 for x in p) for p in grid(4)]),
                 ("plane and a point", [(x, y, 0.0) for x, y, _ in grid(6)] + [(1.0, 1.0, 1.0)]),
-                ("four", [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)])):
+                ("four", [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)])), least=6):
             with self.subTest(kind=name):
                 account = self.meshed(points)
                 self.assertEqual(account["points"], len(points))
@@ -89,7 +89,7 @@ class MeshDelaunayTest(program.ProgramTest):
 
     def test_weights(self):
         half = uniform(3000)
-        for name, points in (
+        for name, points in program.share_of((
                 ("random", [p + (0.01 * CHANCE.random(),) for p in uniform(5000 if program.SANITIZED else 20000)]),
                 ("few heavy", [p + (CHANCE.random() < 0.01,) for p in uniform(3000)]),
                 ("none hidden", [p + (-3.5,) for p in half]),
@@ -100,7 +100,8 @@ class MeshDelaunayTest(program.ProgramTest):
                 ("same places", [p + (float(CHANCE.randrange(3)),) for p in grid(9) + grid(9)]),
                 ("all sizes", [p + (10.0 ** CHANCE.uniform(-300, 300),) for p in of_all_sizes(200)]),
                 ("all but four", [p + (0.0,) for p in half]
-                 + [(-9.0, -9.0, -9.0, 1e6), (99.0, -9.0, -9.0, 1e6), (-9.0, 99.0, -9.0, 1e6), (-9.0, -9.0, 99.0, 1e6)])):
+                 + [(-9.0, -9.0, -9.0, 1e6), (99.0, -9.0, -9.0, 1e6), (-9.0, 99.0, -9.0, 1e6), (-9.0, -9.0, 99.0, 1e6)])),
+                first=1, least=5):
             with self.subTest(kind=name):
                 self.write("points.bin", b"".join(struct.pack("<4d", *p) for p in points))
                 meshes = []
@@ -149,7 +150,7 @@ class MeshDelaunayTest(program.ProgramTest):
         self.assertEqual(self.meshed(points)["tetrahedra"], 99 * 79)
 
     def test_threads_and_order_do_not_matter(self):
-        points = uniform(30000) + [(p[0] / 19, p[1] / 19, p[2] / 19) for p in grid(20)]
+        points = uniform(10000 if program.SANITIZED else 30000) + [(p[0] / 19, p[1] / 19, p[2] / 19) for p in grid(20)]
         account = self.meshed(points, "-j", "1")
         self.assertEqual(account["threads"], 1)
         one = self.read("out.hxtet")

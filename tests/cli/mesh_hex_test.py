@@ -121,7 +121,7 @@ class Inputs(MeshTest):
                                   "schneiders-pyramid")):
             original = surfaces.read_obj(os.path.join(program.INPUTS, name + ".obj"))
             counts = set()
-            for k in range(i % 3, 6, 3) if program.SANITIZED else range(6):  # one of them mirrored
+            for k in program.share_of(range(6), i, least=2):  # one of them mirrored
                 with self.subTest(input=name, disguise=k):
                     points, quads = disguised(original, rng)
                     if k % 2 == 1:  # a mirror image, its quads still from outside
@@ -413,9 +413,9 @@ class Construction(MeshTest):
                    "law.hxs": (lines[:3] + lines[2:3] + lines[4:], 32),
                    "scars.hxs": (lines[:32], 0)}
         surface = surfaces.grid_cube(3)
-        for name, (text, line) in damages.items():
+        for i, (name, (text, line)) in enumerate(damages.items()):
             self.write(name, "".join(text))
-            for method in ("auto", "flips", "construction"):
+            for method in program.share_of(("auto", "flips", "construction"), i):
                 with self.subTest(damage=name, method=method):
                     ran = self.mesh(surface, "--method", method, "--sectors", name)
                     self.assertEqual(self.expect_fault(ran, name), line)

@@ -76,7 +76,7 @@ class Flips(MeshTest):
                     self.assertLess(said["hexahedra"], 16 * count)
 
     def test_is_what_auto_takes_where_zones_do_not_suffice(self):
-        surface = surfaces.random_surface(50, 3)
+        surface = surfaces.random_surface(QUADS, 3)
         self.flip(surface, "auto.vtk")
         self.flip(surface, "flips.vtk", "--method", "flips")
         self.assertEqual(self.read("auto.vtk"), self.read("flips.vtk"))

@@ -191,7 +191,7 @@ class Simplify(program.ProgramTest):
             with subprocess.Popen([program.PROGRAM, "simplify", "in.vtk", "-o", "out.vtk", "--json", "--tries",
                                    "1000000000", *options], cwd=self.folder, stdin=subprocess.DEVNULL,
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
-                time.sleep(2)
+                time.sleep(1)
                 running.send_signal(signal.SIGINT)
                 out, err = running.communicate(timeout=120)
             self.assertEqual(running.returncode, 4, err)

@@ -16,7 +16,7 @@
 namespace hexatlas::check {
 namespace {
 
-constexpr int kRounds = support::by_length(6, 60);
+constexpr int kRounds = support::by_length(6, 40);
 
 class Saboteur {
  public:

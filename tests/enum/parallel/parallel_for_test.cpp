@@ -7,7 +7,6 @@
 
 #include <atomic>
 #include <cstddef>
-#include <cstdlib>
 #include <new>
 #include <stdexcept>
 #include <string>

@@ -5,7 +5,7 @@ namespace hexatlas {
 namespace {
 
 TEST(CandidatesAtLength, AreThoseOfBruteForceOnRandomDelaunayMeshes) {
-  hybrid_tests::expect_as_by_brute_force_at_random(1, 80, 14);
+  hybrid_tests::expect_as_by_brute_force_at_random(1, 40, 14);
 }
 
 }  // namespace

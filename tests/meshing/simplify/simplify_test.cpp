@@ -88,9 +88,13 @@ TEST(Simplify, LeavesAMeshAsItIsIfNoneIsSmaller) {
 TEST(Simplify, SparesTheWholeMeshAndWideCavitiesIfAsked) {
   const HexComplex cube = support::blown_up(row(1), 7, 1, 0);
   simplify::Options options{.tries = 500, .max_cavity = 6, .whole = false};
-  EXPECT_EQ(simplify::simplified(cube, nullptr, options).mesh.hexahedra.size(), 7U);
+  const auto without = simplify::simplified(cube, nullptr, options);
+  EXPECT_EQ(without.mesh.hexahedra.size(), 7U);
+  EXPECT_EQ(without.tries, options.tries);
   options.whole = true;
-  EXPECT_EQ(simplify::simplified(cube, nullptr, options).mesh.hexahedra.size(), 1U);
+  const auto with = simplify::simplified(cube, nullptr, options);
+  EXPECT_EQ(with.mesh.hexahedra.size(), 1U);
+  EXPECT_LT(with.tries, options.tries);
 }
 
 TEST(Simplify, Stops) {
@@ -98,11 +102,14 @@ TEST(Simplify, Stops) {
   std::atomic<bool> stop{true};
   const auto none = simplify::simplified(given, nullptr, {.stop = &stop});
   EXPECT_TRUE(none.is_stopped);
+  EXPECT_EQ(none.tries, 0U);
   EXPECT_EQ(none.mesh.hexahedra, given.hexahedra);
   stop = false;
   const auto progress = [&stop](std::size_t tries, std::size_t) { stop = tries > 0; };
   const auto some = simplify::simplified(given, nullptr, {.stop = &stop, .progress = progress});
   EXPECT_TRUE(some.is_stopped);
+  EXPECT_GT(some.tries, 0U);
+  EXPECT_LT(some.tries, simplify::Options{}.tries);
   expect_simplified(some.mesh, given);
 }
 
