@@ -1,8 +1,11 @@
 #pragma once
 /// \file
 /// How many of its cases a test goes through. A sanitizer takes ten times as long and looks at what
-/// the code does, not at how often it is right: there it is an eighth of them. Some tests are in
-/// two programs, one of which runs in release only and goes further.
+/// the code does, not at how often it is right: there it is an eighth of them, but at least as many
+/// as the test asks for. Some tests are in two programs, one of which runs in release only and goes
+/// further.
+
+#include <algorithm>
 
 namespace hexatlas::support {
 
@@ -18,7 +21,9 @@ inline constexpr bool kSanitized = false;
 inline constexpr bool kSanitized = false;
 #endif
 
-[[nodiscard]] constexpr int share_of(int cases) { return kSanitized ? cases / 8 : cases; }
+[[nodiscard]] constexpr int share_of(int cases, int least = 0) {
+  return kSanitized ? std::max(cases / 8, least) : cases;
+}
 /// Of cases that are listed, not drawn: each one, or each eighth.
 inline constexpr int kStride = kSanitized ? 8 : 1;
 

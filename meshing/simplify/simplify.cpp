@@ -31,7 +31,8 @@ class Simplifier {
     const std::size_t patience = std::max<std::size_t>(options_.tries / 8, 1000);
     std::size_t last = 0;  // try that gave the least mesh, or that began with it again
     Simplified result;
-    for (std::size_t& tries = result.tries; tries < options_.tries && least_ > 1; ++tries) {
+    std::size_t& tries = result.tries;
+    for (; tries < options_.tries && least_ > 1; ++tries) {
       if (options_.stop != nullptr && options_.stop->load()) {
         result.is_stopped = true;
         break;

@@ -25,7 +25,7 @@ def made_by(*arguments):
 
 
 def share_of(cases, first=0, least=1):
-    """An eighth of the cases of a long test under a sanitizer, as in tests/share.hpp, but `least`; else all."""
+    """An eighth of the cases of a long test under a sanitizer, as in tests/share.hpp, but at least `least`; else all."""
     step = max(1, min(8, len(cases) // least)) if SANITIZED else 1
     return cases[first % step::step]
 

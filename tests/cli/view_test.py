@@ -343,7 +343,7 @@ class InBrowser(program.ProgramTest):
         return {name[5:]: value for name, value in found.items() if name.startswith("data-")}
 
     def test_cells_and_facets(self):
-        for options, shown, facets in ((("--peel", "1", "--shrink", "0.2"), 8, 48),
+        for options, shown, facets in (((), 64, 96), (("--peel", "1", "--shrink", "0.2"), 8, 48),
                                        (("--slice", "z=0.25", "--flip"), 48, 80)):
             with self.subTest(options=options):
                 self.assertEqual(self.drawn(*options), {"hexatlas": "drawn", "cells": "64", "shown": str(shown),
@@ -358,7 +358,8 @@ class InBrowser(program.ProgramTest):
 
     def test_a_hybrid_mesh(self):
         self.write("four.vtk", hybrid_files.vtk(hybrid_files.POINTS, hybrid_files.CELLS))
-        for options, shown, facets in ((("--explode", "0.5"), 4, 20), (("--slice", "x=0.5"), 2, 9)):
+        for options, shown, facets in (((), 4, 14), (("--explode", "0.5"), 4, 20),
+                                       (("--slice", "x=0.5"), 2, 9)):
             with self.subTest(options=options):
                 self.assertEqual(self.drawn(*options, mesh="four.vtk"),
                                  {"hexatlas": "drawn", "cells": "4", "shown": str(shown), "facets": str(facets)})

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 #include <vector>
@@ -38,7 +37,7 @@ TEST(FaultyCut, KnowsItsFaults) {
 
 TEST(FaultyCut, HasAllKindsThatTwoBallsMake) {
   const auto beam = support::grown(14, 2, 9, 5);
-  const auto wanted = static_cast<std::size_t>(std::max(2, support::share_of(8)));
+  const auto wanted = static_cast<std::size_t>(support::share_of(8, 2));
   std::map<canon::Code, support::Kinds> expected;
   support::for_each_match(support::all_balls(beam), 8, 1, [&](const support::Match& match) {
     if (match.boundary_quads() != 16 || match.may_be_glued()) return;

@@ -122,7 +122,7 @@ TEST(FaultyMeeting, HasAllKindsThatOneHexahedronMakesOfTheBalls) {
 
 TEST(FaultyMeeting, WithSymmetricCollarsIsOneOfAllMeetings) {
   const auto beam = support::grown(18, 5, 300, 16);
-  const int wanted = std::max(2, support::share_of(8));
+  const int wanted = support::share_of(8, 2);
   int with_involution = 0;
   std::size_t kinds = 0;
   for (const auto& code : beam.codes()) {

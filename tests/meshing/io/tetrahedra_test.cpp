@@ -170,7 +170,7 @@ class TetrahedraFiles : public testing::Test {
 
 TEST_F(TetrahedraFiles, AreWhatIsInMemory) {
   std::mt19937_64 random(1);
-  const int size = support::share_of(60000);
+  const int size = support::share_of(60000, 20000);  // more than a block of each text
   const mesh::TetMesh mesh{random_points(random, size), random_cells<4>(random, size, 9)};
   for (const FileFormat format : kTetFormats) {
     const std::string file = path("a" + std::string(io::extension_of(format)));

@@ -381,7 +381,7 @@ TEST(SelfMeeting, LargeSurfaces) {
   const Found pierced = first_self_meeting(surface);
   ASSERT_NE(pierced, std::nullopt);
   std::mt19937_64 random(7);
-  for (int k = 0; k < std::max(1, support::share_of(4)); ++k)
+  for (int k = 0; k < support::share_of(4, 1); ++k)
     EXPECT_EQ(first_self_meeting(disguised(surface, random)), pierced);
 }
 
