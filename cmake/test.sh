@@ -95,10 +95,11 @@ run_tests() { # PRESET [CTEST OPTION...]
   fi
 }
 
-# The tests of a label again in another build, which makes only what they run. A program that was not
-# made is a test that could not start, which cmake/junit_summary.py counts as failed.
+# The tests of a label again in another build, which makes only what they run and must have them all. A
+# program that was not made is a test that could not start, which cmake/junit_summary.py counts as failed.
 run_again() { # PRESET LABEL
   build "$1" "tests_$2" || return 0
+  step "same-tests-$1" diff "build/release/tests_$2.txt" "build/$1/tests_$2.txt" || true
   run_tests "$1" --label-regex "^$2\$"
 }
 

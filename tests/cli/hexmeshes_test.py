@@ -141,8 +141,7 @@ class Hexmeshes(program.ProgramTest):
 
     def test_a_stopped_search_claims_nothing(self):
         with self.start(PYRAMID, "--max-hexes", "22", "--json") as search:
-            while not program.catches(search, signal.SIGINT):
-                time.sleep(0.01)
+            program.wait_for_handler(search, signal.SIGINT)
             search.send_signal(signal.SIGINT)
             out, _ = search.communicate(timeout=60)
             self.assertEqual(search.returncode, 4)

@@ -4,6 +4,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -50,6 +51,12 @@ def catches(process, number):
     with open(f"/proc/{process.pid}/status", encoding="utf-8") as file:
         caught = re.search(r"^SigCgt:\s*([0-9a-f]+)$", file.read(), re.MULTILINE)
     return int(caught.group(1), 16) >> (number - 1) & 1 == 1
+
+
+def wait_for_handler(process, number):
+    """Until the program has its handler of this signal, or has ended."""
+    while process.poll() is None and not catches(process, number):
+        time.sleep(0.002)
 
 
 class Ran:

@@ -77,8 +77,7 @@ class SearchState(program.ProgramTest):
             with self.subTest(stop=stop):
                 name = f"{stop.name}.state"
                 with self.start("a.hxt", "--state", name, search=ENDLESS) as search:
-                    while search.poll() is None and not program.catches(search, stop):
-                        time.sleep(0.01)
+                    program.wait_for_handler(search, stop)
                     time.sleep(0.1)
                     search.send_signal(stop)
                     said = search.stderr.read().decode()

@@ -194,8 +194,7 @@ class Simplify(program.ProgramTest):
             with subprocess.Popen([program.PROGRAM, "simplify", "in.vtk", "-o", "out.vtk", "--json", "--tries",
                                    "1000000000", *options], cwd=self.folder, stdin=subprocess.DEVNULL,
                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
-                while running.poll() is None and not program.catches(running, signal.SIGINT):
-                    time.sleep(0.01)
+                program.wait_for_handler(running, signal.SIGINT)
                 time.sleep(0.5)
                 running.send_signal(signal.SIGINT)
                 out, err = running.communicate(timeout=120)

@@ -127,8 +127,7 @@ class Bounds(TableTest):
         words = ("table", "bounds", "spindle.hxt", "-o", "out.hxt", "--max-hexes", "40", "--json")
         with subprocess.Popen([program.PROGRAM, *words], cwd=self.folder, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
-            while not program.catches(running, signal.SIGINT):
-                time.sleep(0.01)
+            program.wait_for_handler(running, signal.SIGINT)
             time.sleep(1)
             running.send_signal(signal.SIGINT)
             out, err = running.communicate(timeout=60)

@@ -11,7 +11,6 @@ import json
 import os
 import signal
 import subprocess
-import time
 
 import program
 import surfaces
@@ -230,8 +229,7 @@ class ReproduceTest(program.ProgramTest):
         for stop in (signal.SIGINT, signal.SIGTERM):
             with subprocess.Popen([program.PROGRAM, "reproduce", "hexahedron-174", "-o", "out"], cwd=self.folder,
                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
-                while running.poll() is None and not program.catches(running, stop):
-                    time.sleep(0.002)
+                program.wait_for_handler(running, stop)
                 running.send_signal(stop)
                 out, err = running.communicate(timeout=300)
             self.assertEqual(running.returncode, 4, out)

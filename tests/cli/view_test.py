@@ -311,8 +311,7 @@ class Refusals(program.ProgramTest):
             env = dict(os.environ, CHROMIUM=self.browser(folder, "sleep 100\n"), TMPDIR=folder)
             with subprocess.Popen([program.PROGRAM, "view", "grid.vtk", "--png", "a.png"], cwd=self.folder, env=env,
                                   stdin=subprocess.DEVNULL, stderr=subprocess.PIPE) as running:
-                while not program.catches(running, signal.SIGTERM):
-                    time.sleep(0.01)
+                program.wait_for_handler(running, signal.SIGTERM)
                 running.send_signal(signal.SIGTERM)
                 said = running.communicate(timeout=60)[1]
             self.assertEqual(running.returncode, 4, said)
