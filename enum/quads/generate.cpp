@@ -14,8 +14,9 @@
 namespace hexatlas::quads {
 namespace {
 
-/// Nodes that first have this many quads are dealt out to the shards in turn. The least number for
-/// which each shard gets several, or the last one for which all nodes above take less than a second.
+/// Nodes that first have this many quads are dealt out to the shards in turn: the least number for
+/// which each shard gets several, or the last one for which all nodes above take less than a
+/// second.
 int split_quads(Class which, std::uint64_t parts) {
   struct Level {
     int quads;

@@ -25,10 +25,11 @@ namespace hexatlas::solve {
 
 /// A final polynomial that uses known signs only: the negated literals of its clause are some of
 /// these, and few. Signs may be 0 (unknown); relations with unknown signs, and those that are
-/// broken, are not used. nullopt: none was found, or none with weights of at most 2^31; the search is in double precision, the weights
-/// and the test of the answer are exact. Requires one sign per four points, else
-/// PreconditionViolated; throws ResourceFailure if linear programming gives up. Cost: milliseconds for 8 points, seconds for 10.
-/// Terms of edges are used for Condition::jacobian, which requires eight points.
+/// broken, are not used. nullopt: none was found, or none with weights of at most 2^31; the search
+/// is in double precision, the weights and the test of the answer are exact. Requires one sign per
+/// four points, else PreconditionViolated; throws ResourceFailure if linear programming gives up.
+/// Cost: milliseconds for 8 points, seconds for 10. Terms of edges are used for
+/// Condition::jacobian, which requires eight points.
 [[nodiscard]] std::optional<certificate::FinalPolynomial> find_final_polynomial(
     int points, const chirotope::Signs& signs,
     certificate::Condition condition = certificate::Condition::embedded);

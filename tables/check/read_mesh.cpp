@@ -109,7 +109,9 @@ void Draft::add(Shape shape, std::span<const std::uint32_t> corners) {
 }
 
 const char* Draft::refusal() const {
-  if (wanted_ == Wanted::kHexahedra) return "neither a hexahedron nor a quad, so that this is a mesh for --hybrid or --delaunay";
+  if (wanted_ == Wanted::kHexahedra) {
+    return "neither a hexahedron nor a quad, so that this is a mesh for --hybrid or --delaunay";
+  }
   return wanted_ == Wanted::kTetrahedra ? "no tetrahedron" : "of no known kind";
 }
 
