@@ -157,8 +157,8 @@ void add_mesh_hybrid(CLI::App& mesh, Action& action) {
   command->add_flag("--json", options->json, "Print one JSON object");
   add_threads(*command, options->threads);
   command->footer(
-      "Either --output or --count. Regions and coloured triangles of .mesh and\n"
-      ".msh are respected. `hexatlas check --hybrid` judges the mesh.\n" +
+      "Either --output or --count. Regions and coloured triangles beside tetrahedra\n"
+      "of .mesh and .msh are respected. `hexatlas check --hybrid` judges the mesh.\n" +
       example("hexatlas mesh hybrid tetrahedra.msh -o hybrid.vtu") +
       example("hexatlas mesh hybrid surface.obj --fill lattice -o hybrid.vtu"));
   command->callback([options, &action] { action = [options] { return mesh_hybrid(*options); }; });

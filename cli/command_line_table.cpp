@@ -128,8 +128,11 @@ void add_table_bounds(CLI::App& table, Action& action, const std::string& comman
                    "Boundaries with more quads are left as they are")
       ->check(CLI::Range(6, 64))
       ->capture_default_str();
-  bounds->add_option("--only", options->only,
-                     "Boundaries, by name or canonical code; all others are left as they are");
+  bounds
+      ->add_option("--only", options->only,
+                   "A boundary, by name or canonical code; may be repeated, and all others are "
+                   "left as they are")
+      ->allow_extra_args(false);  // the next word may be TABLE
   bounds->add_option("--max-nodes", options->max_nodes, "Of the searches for one boundary")
       ->check(at_least_one);
   add_save_every(*bounds, options->save_every);
@@ -287,7 +290,8 @@ void add_table_build(CLI::App& table, Action& action, const std::string& command
   build->add_option(
       "--start-from", options->start_from,
       "Begin a new search with what others found: the file of one saved with --state, which may "
-      "have been for other boundaries, and any number of tables (.hxt); of equally small meshes "
+      "have been for other boundaries but needs the same --seed, --width, --per-class, --widest, "
+      "--irregular and --simple-zones, and any number of tables (.hxt); of equally small meshes "
       "those of the first table stay");
   add_save_every(*build, options->save_every);
   const Effort effort(*build);

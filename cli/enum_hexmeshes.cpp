@@ -12,6 +12,7 @@
 #include "cli/boundary_input.hpp"
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/long_work.hpp"
 #include "cli/mesh_output.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
@@ -229,12 +230,11 @@ void search(const EnumHexmeshesOptions& options, const hexes::HexmeshProblem& pr
   const double estimate = progress.is_watched() ? problem.estimate(kProbes, 1, 1).nodes : 0;
   const std::size_t expected = estimate < 0x1p63 ? static_cast<std::size_t>(estimate) : 0;
   const std::string phase = progress.is_watched() ? "nodes, of an estimate" : "nodes";
-  double saved = seconds();
   const auto save = [&] {
     if (!options.state.empty())
       core::write_file(options.state, build::to_text(result.task, result.frontier));
-    saved = seconds();
   };
+  PeriodicSave saved(options.save_every, save);
   if (!(options.first && !result.frontier.found.empty()))
     problem.go_on(result.frontier,
                   {.threads = parallel::threads_or_all(options.threads),
@@ -242,7 +242,7 @@ void search(const EnumHexmeshesOptions& options, const hexes::HexmeshProblem& pr
                    .stop = &stop_requested()},
                   [&] {
                     progress.update(phase, result.frontier.counts.nodes, expected);
-                    if (seconds() - saved >= options.save_every) save();
+                    saved.if_due();
                     return !(options.first && !result.frontier.found.empty());
                   });
   save();

@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "cli/commands.hpp"
@@ -61,25 +63,71 @@ Found part_of(const EnumQuadrangulationsOptions& options, std::uint64_t part,
   return found;
 }
 
-Found find(const EnumQuadrangulationsOptions& options) {
-  const std::atomic<bool>& stop = stop_requested();
-  ProgressLine progress;
-  std::mutex progress_lock;
-  std::size_t done = 0;
-  std::vector<Found> parts(kParts);
-  parallel::parallel_for(parallel::threads_or_all(options.threads), kParts, [&](std::size_t i) {
-    parts[i] = part_of(options, i, stop);
-    const std::lock_guard lock(progress_lock);
-    progress.update("parts of the search", ++done, kParts);
-  });
-  Found all;
-  if (!options.output.empty() && !options.codes) all.list = quads::kPlanarCodeHeader;
-  for (Found& part : parts) {
-    all.sums += part.sums;
-    all.list += part.list;
-    part = {};
+/// The parts as they end, of which those that are next go to a file.
+class Parts {
+ public:
+  explicit Parts(const core::Sink& sink) : sink_(sink), found_(kParts) {}
+
+  [[nodiscard]] quads::Sums found(const EnumQuadrangulationsOptions& options) {
+    const std::atomic<bool>& stop = stop_requested();
+    parallel::parallel_for(parallel::threads_or_all(options.threads), kParts, [&](std::size_t i) {
+      if (has_failed_) return;
+      Found part = part_of(options, i, stop);
+      const std::lock_guard lock(lock_);
+      found_[i] = std::move(part);
+      progress_.update("parts of the search", ++done_, kParts);
+      put_next();
+    });
+    return sums_;
   }
-  return all;
+
+ private:
+  void put_next() {
+    for (; next_ < kParts && found_[next_]; ++next_) {
+      sums_ += found_[next_]->sums;
+      if (sums_.complete) put(found_[next_]->list);
+      found_[next_] = Found{};
+    }
+  }
+
+  void put(const std::string& list) {
+    try {
+      sink_(list);
+    } catch (...) {
+      has_failed_ = true;  // the rest of the search is in vain
+      throw;
+    }
+  }
+
+  const core::Sink& sink_;
+  ProgressLine progress_;
+  std::mutex lock_;
+  std::vector<std::optional<Found>> found_;
+  std::size_t done_ = 0, next_ = 0;
+  quads::Sums sums_;
+  std::atomic<bool> has_failed_{false};
+};
+
+struct Stopped {};
+
+/// The list goes to the output, if there is one, as it is found. Throws Stopped.
+quads::Sums list_to_output(const EnumQuadrangulationsOptions& options) {
+  quads::Sums sums;
+  const auto produce = [&](const core::Sink& sink) {
+    if (!options.output.empty() && !options.codes) sink(quads::kPlanarCodeHeader);
+    sums = Parts(sink).found(options);
+    if (!sums.complete) throw Stopped();
+  };
+  if (options.output.empty())
+    produce([](std::string_view) {});
+  else
+    core::write_file_in_parts(options.output, produce);
+  return sums;
+}
+
+std::string words_if_stopped(const std::string& output) {
+  if (output.empty()) return "stopped; there is no total";
+  return output == "-" ? "stopped; the list is not whole" : "stopped; nothing is written";
 }
 
 bool is_whole(const EnumQuadrangulationsOptions& options) { return shard_of(options).parts == 1; }
@@ -122,16 +170,14 @@ std::optional<quads::Shard> shard_from(const std::string& text) {
 
 ExitCode enum_quadrangulations(const EnumQuadrangulationsOptions& options) {
   if (!options.output.empty()) core::expect_writable(options.output);
-  const Found found = find(options);
-  if (!found.sums.complete) {
-    say(options.output.empty() ? "stopped; there is no total" : "stopped; nothing is written");
+  try {
+    const quads::Sums sums = list_to_output(options);
+    tell(options.output, options.json ? json_line(options, sums) : report(options, sums));
+    return ExitCode::yes;
+  } catch (const Stopped&) {
+    say(words_if_stopped(options.output));
     return ExitCode::undecided;
   }
-  if (!options.output.empty()) core::write_file(options.output, found.list);
-  const std::string text =
-      options.json ? json_line(options, found.sums) : report(options, found.sums);
-  tell(options.output, text);
-  return ExitCode::yes;
 }
 
 }  // namespace hexatlas::cli

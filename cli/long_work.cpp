@@ -2,13 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <exception>
 #include <utility>
 
 #include "cli/completeness.hpp"
 #include "cli/interrupt.hpp"
-#include "cli/output.hpp"
+#include "enum/core/errors.hpp"
 
 namespace hexatlas::cli {
+
+void PeriodicSave::if_due() {
+  if (seconds() - last_ < every_) return;
+  const auto failed = [this](const std::exception& error) {
+    if (!std::exchange(has_failed_, true))
+      say(fmt::format("note: not saved this time, goes on and tries again: {}", error.what()));
+  };
+  try {
+    save_();
+    has_failed_ = false;
+  } catch (const core::InvalidInput& error) {
+    failed(error);
+  } catch (const core::ResourceFailure& error) {
+    failed(error);
+  }
+  last_ = seconds();
+}
 
 balls::Spheres spheres_with(int vertices, int threads) {
   ProgressLine progress;

@@ -10,6 +10,7 @@
 #include "cli/table_path.hpp"
 #include "enum/canon/code.hpp"
 #include "enum/core/errors.hpp"
+#include "enum/flips/scars.hpp"
 #include "enum/parallel/parallel_for.hpp"
 #include "meshing/hexahedrize/placing.hpp"
 #include "meshing/quality/report.hpp"
@@ -86,8 +87,10 @@ ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
   const auto ordinal = table.find(canon::from_text(boundary.code).value());
   if (!ordinal) {
     const auto quads = static_cast<std::size_t>(boundary.boundary.quads());
-    const std::string reason =
-        fmt::format("the boundary of {} quads is not in {}", quads, table.path());
+    std::string reason = fmt::format("the boundary of {} quads is not in {}", quads, table.path());
+    if (quads <= flips::kMaxSearchQuads)
+      reason +=
+          fmt::format("; `hexatlas table get --code {} --search` looks for a mesh", boundary.code);
     tell(files, boundary.code, {"not_in_table", quads, reason, boundary.code}, options.json);
     return ExitCode::undecided;
   }

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <array>
 #include <cstdint>
@@ -59,10 +60,20 @@ std::size_t vertices_of_no_cell(const hybrid::TetGraph& graph, const mesh::Hybri
   return count;
 }
 
+/// Whether the file tells parts of its surface apart, which a filling does not.
+bool has_parts(const mesh::FacetMesh& surface) {
+  return std::any_of(surface.facets.begin(), surface.facets.end(), [&](const mesh::Facet& facet) {
+    return facet.colour != surface.facets.front().colour;
+  });
+}
+
 /// The tetrahedra of the file, or those inside its surface.
 mesh::TetModel model_of(const MeshHybridOptions& options, HybridAccount& account) {
   if (options.fill.empty()) return io::read_tet_model(options.input);
   const mesh::FacetMesh surface = io::read_facets(options.input);
+  if (has_parts(surface))
+    say("note: --fill keeps the surface, but not the parts (references or entities) that " +
+        input_name(options.input) + " tells of it: quads may reach across their borders");
   hybrid::LatticeOptions lattice;
   lattice.spacing = options.spacing;
   lattice.keeps_diagonals = options.keep_diagonals;

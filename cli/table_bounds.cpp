@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/long_work.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
 #include "cli/table_write.hpp"
@@ -61,7 +62,7 @@ std::vector<format::TableRow*> chosen_from(const format::Table& table,
   for (const std::string& word : options.only) {
     auto ordinal = table.find_name(word);
     if (const auto code = canon::from_text(word); code && !ordinal) ordinal = table.find(*code);
-    if (!ordinal) throw core::InvalidInput(word, "is no name or canonical code in the table");
+    if (!ordinal) throw core::InvalidInput(word, "is no name or canonical code in " + table.path());
     is_chosen[*ordinal] = true;
   }
   std::vector<format::TableRow*> result;
@@ -110,6 +111,22 @@ void take_over(const format::Table& earlier, Given& work) {
                     earlier.path()));
 }
 
+/// What the earlier one alone has would be gone: it may be the work of days, too.
+void expect_nothing_lost(const format::Table& earlier, const format::Table& given) {
+  std::size_t lost = 0;
+  for (std::size_t i = 0; i < earlier.size(); ++i)
+    lost += given.find(earlier.entry(i).code) ? 0 : 1;
+  if (lost != 0)
+    throw core::InvalidInput(earlier.path(),
+                             fmt::format("has {} that TABLE lacks; name another file with -o",
+                                         counted(lost, "mesh", "meshes")));
+  for (const format::TableName& name : earlier.names())
+    if (!given.find_name(name.name))
+      throw core::InvalidInput(earlier.path(), fmt::format("has the name {}, which TABLE lacks; "
+                                                           "name another file with -o",
+                                                           name.name));
+}
+
 /// What is at -o already, if that is another table than the one given; one that is damaged may be
 /// the work of days, and is not replaced.
 void take_over_what_is_there(const std::string& output, const format::Table& given, Given& work) {
@@ -122,7 +139,9 @@ void take_over_what_is_there(const std::string& output, const format::Table& giv
     say(fmt::format("note: {}; it will be replaced", no_table.what()));
     return;
   }
-  if (earlier->sha256() != given.sha256()) take_over(*earlier, work);
+  if (earlier->sha256() == given.sha256()) return;
+  expect_nothing_lost(*earlier, given);
+  take_over(*earlier, work);
 }
 
 /// Whether all rows had their turn; otherwise a stop was asked for, and the last ones may have been
@@ -130,7 +149,8 @@ void take_over_what_is_there(const std::string& output, const format::Table& giv
 bool proceed(Given& work, std::span<format::TableRow* const> rows,
              const TableBoundsOptions& options, const build::BoundOptions& searches, Tally& tally) {
   ProgressLine line;
-  double saved = seconds();
+  PeriodicSave saved(options.save_every,
+                     [&] { write_table(options.output, work.table, work.making); });
   // Nothing is saved within a step: hard boundaries come a few at a time.
   const auto least = static_cast<std::size_t>(searches.threads);
   std::size_t step = least;
@@ -141,9 +161,7 @@ bool proceed(Given& work, std::span<format::TableRow* const> rows,
     done += step;
     step = seconds() - begin < 1 ? std::min(2 * step, kMostRowsPerStep) : least;
     line.update("boundaries", done, rows.size());
-    if (seconds() - saved < options.save_every || done == rows.size()) continue;
-    write_table(options.output, work.table, work.making);
-    saved = seconds();
+    if (done != rows.size()) saved.if_due();
   }
   return !stop_requested();
 }

@@ -7,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/long_work.hpp"
 #include "cli/output.hpp"
 #include "cli/table_path.hpp"
 #include "cli/table_write.hpp"
@@ -69,6 +70,25 @@ build::TableSearch::Origins origins_of(const format::Table& table) {
   return origins;
 }
 
+/// A table that is begun with and replaced keeps each boundary.
+void expect_nothing_lost(const TableBuildOptions& options,
+                         const std::vector<canon::Code>& targets) {
+  for (const std::string& file : options.start_from) {
+    if (!is_there(file) || !same_files({"", file}, {{"", options.output}})) continue;
+    std::string bytes = core::read_file(file, core::kMaxStateBytes);
+    if (build::TableSearch::is_saved(bytes)) continue;
+    const format::Table table = format::Table::from_bytes(std::move(bytes), file);
+    std::size_t lost = 0;
+    for (std::size_t i = 0; i < table.size(); ++i)
+      lost += std::binary_search(targets.begin(), targets.end(), table.entry(i).code) ? 0 : 1;
+    if (lost != 0)
+      throw core::InvalidInput(
+          file, fmt::format("has {} of other boundaries than this search is for, which would be "
+                            "lost; name another file with -o, or more with --max-quads and --also",
+                            counted(lost, "mesh", "meshes")));
+  }
+}
+
 /// A new search that begins with what the files have: at most one saved search, and tables.
 build::TableSearch begin_with(const std::vector<std::string>& files,
                               std::vector<canon::Code> targets,
@@ -100,6 +120,7 @@ build::TableSearch begin_with(const std::vector<std::string>& files,
 
 build::TableSearch begin(const TableBuildOptions& options) {
   std::vector<canon::Code> targets = boundaries(options);
+  expect_nothing_lost(options, targets);
   const build::SearchOptions search = search_options(options);
   if (!options.state.empty() && is_there(options.state)) {
     if (!options.start_from.empty())
@@ -118,16 +139,17 @@ build::TableSearch begin(const TableBuildOptions& options) {
 /// Whether the search came to its end; otherwise a stop was asked for.
 bool proceed(build::TableSearch& search, const std::string& state, double save_every) {
   ProgressLine line;
-  double saved = seconds();
+  const auto save = [&] {
+    if (!state.empty()) core::write_file(state, search.to_bytes());
+  };
+  PeriodicSave saved(save_every, save);
   while (!search.is_finished() && !stop_requested()) {
     const auto progress = search.progress();
     line.update(progress.phase, progress.done, progress.total);
     search.step();
-    if (state.empty() || seconds() - saved < save_every) continue;
-    core::write_file(state, search.to_bytes());
-    saved = seconds();
+    saved.if_due();
   }
-  if (!state.empty()) core::write_file(state, search.to_bytes());
+  save();
   return search.is_finished();
 }
 

@@ -11,6 +11,8 @@ namespace hexatlas::cli {
 
 namespace {
 
+constexpr const char* kLarger = "hexatlas-22.hxt";
+
 std::filesystem::path own_folder() {
   std::error_code error;
   return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
@@ -49,6 +51,13 @@ format::Table open_table(const std::string& asked_for) {
                      : format::Table::open(path);
 }
 
+std::vector<std::string> tables_to_read(const std::string& asked_for) {
+  std::vector<std::string> tables{table_path(asked_for)};
+  if (asked_for.empty())
+    if (auto larger = shipped_if_there(kLarger)) tables.push_back(*std::move(larger));
+  return tables;
+}
+
 format::Table table_for(const std::string& asked_for, std::size_t quads) {
   format::Table table = open_table(asked_for);
   const auto has_all = [&](const format::Table& one) {
@@ -56,7 +65,7 @@ format::Table table_for(const std::string& asked_for, std::size_t quads) {
   };
   if (!asked_for.empty() || quads % 2 != 0 || quads > flips::kMaxSearchQuads || has_all(table))
     return table;
-  const auto path = shipped_if_there("hexatlas-22.hxt");
+  const auto path = shipped_if_there(kLarger);
   return path ? format::Table::open(*path) : table;
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tables/build/census.hpp"
 #include "tables/format/table.hpp"
@@ -27,6 +28,9 @@ namespace hexatlas::cli {
 /// from more meshes a search makes smaller ones. Of boundaries too large for a search, the first.
 /// Throws as open_table() does.
 [[nodiscard]] format::Table table_for(const std::string& asked_for, std::size_t quads);
+
+/// Each table that table_for() may read. Throws as table_path() does.
+[[nodiscard]] std::vector<std::string> tables_to_read(const std::string& asked_for);
 
 /// The same for the sectors of the linear construction.
 [[nodiscard]] std::string sectors_path(const std::string& asked_for);

@@ -93,13 +93,21 @@ canon::Code code_of_name(const std::string& name, const format::Table& table) {
   throw core::InvalidInput(name, "is no name in this table; known are " + known);
 }
 
-/// A mesh for a boundary that the table does not have.
-std::optional<complex::HexComplex> searched(const format::Table& table, const canon::Code& code) {
+/// Why there is no mesh, and what to try.
+std::string words_without_mesh(const canon::Code& code, const std::string& table,
+                               bool is_searched_for) {
+  std::string words =
+      fmt::format("{} ({} quads) is not in {}", canon::to_text(code), code.quads, table);
   if (code.quads > flips::kMaxSearchQuads)
-    throw core::InvalidInput(
-        canon::to_text(code),
-        fmt::format("has {} quads; a search takes at most {}", code.quads, flips::kMaxSearchQuads));
-  return fill::fill_through(table, code, {.threads = parallel::available_threads()});
+    words += fmt::format(
+        ", and a search takes at most {}; `hexatlas mesh hex` meshes a surface "
+        "with any number",
+        flips::kMaxSearchQuads);
+  else if (is_searched_for)
+    words += ", and no way from it to a mesh there was found";
+  else
+    words += "; --search looks for a mesh";
+  return words;
 }
 
 }  // namespace
@@ -110,7 +118,8 @@ ExitCode table_list(const TableListOptions& options) {
   const format::Table table =
       options.quads == 0 ? open_table(options.table)
                          : table_for(options.table, static_cast<std::size_t>(options.quads));
-  std::string text = "code\tquads\thexahedra\tinterior_vertices\tlower_bound\n";
+  const std::string header = "code\tquads\thexahedra\tinterior_vertices\tlower_bound\n";
+  std::string text = header;
   for (std::size_t i = 0; i < table.size(); ++i) {
     const format::TableEntry entry = table.entry(i);
     if (options.quads != 0 && entry.code.quads != options.quads) continue;
@@ -119,6 +128,7 @@ ExitCode table_list(const TableListOptions& options) {
                         entry.hexahedra, entry.interior_vertices, entry.lower_bound);
   }
   core::write_file(options.output.empty() ? "-" : options.output, text);
+  if (text == header) say("note: there is no such boundary in " + table.path());
   return ExitCode::yes;
 }
 
@@ -139,10 +149,10 @@ ExitCode table_get(const TableGetOptions& options) {
   const auto ordinal = table.find(code);
   std::optional<complex::HexComplex> mesh;
   if (ordinal) mesh = fill::mesh_in(table, *ordinal, table.path());
-  if (!ordinal && options.search) mesh = searched(table, code);
+  if (!ordinal && options.search && code.quads <= flips::kMaxSearchQuads)
+    mesh = fill::fill_through(table, code, {.threads = parallel::available_threads()});
   if (!mesh) {
-    say(fmt::format("{} ({} quads) is not in {}{}", canon::to_text(code), code.quads, table.path(),
-                    options.search ? ", and no way from it to a mesh there was found" : ""));
+    say(words_without_mesh(code, table.path(), options.search));
     return ExitCode::undecided;
   }
   nlohmann::ordered_json json;

@@ -36,12 +36,14 @@ std::array<std::string, 3> table_files(const std::string& path) {
 bool would_lose_table(const std::string& asked_for, const NamedFile& output, const char* verb) {
   if (output.second.empty() || output.second == "-") return false;
   static constexpr std::array<const char*, 3> kWhat{"the table", "its manifest", "its census"};
-  const auto files = table_files(table_path(asked_for));
-  for (std::size_t i = 0; i < files.size(); ++i)
-    if (const auto same = same_files({kWhat[i], files[i]}, {output})) {
-      say(fmt::format("{}. See `hexatlas {} --help`.", *same, verb));
-      return true;
-    }
+  for (const std::string& table : tables_to_read(asked_for)) {
+    const auto files = table_files(table);
+    for (std::size_t i = 0; i < files.size(); ++i)
+      if (const auto same = same_files({kWhat[i], files[i]}, {output})) {
+        say(fmt::format("{}. See `hexatlas {} --help`.", *same, verb));
+        return true;
+      }
+  }
   return false;
 }
 
@@ -60,16 +62,22 @@ std::map<canon::Code, Found> found_in_census(const format::Table& table) {
 format::Table write_table(const std::string& path, const NewTable& made, const Making& making) {
   const std::string bytes = format::table_bytes(made.rows, made.names, made.complete_through);
   format::Table table = format::Table::from_bytes(bytes, path);
-  core::write_file(path, bytes);
+  core::PendingFile file(path, bytes);
   try {
-    core::write_file(format::manifest_path(path),
-                     format::manifest_text(table, {making.command, making.seed,
-                                                   "hexatlas " + version(), HEXATLAS_COMMIT}));
-    build::write_census(build::census_path(path), census_of(table, making));
+    core::PendingFile manifest(
+        format::manifest_path(path),
+        format::manifest_text(
+            table, {making.command, making.seed, "hexatlas " + version(), HEXATLAS_COMMIT}));
+    const std::string census = build::census_path(path);
+    core::PendingFile rows(census, build::census_bytes(census, census_of(table, making)));
+    manifest.place();
+    rows.place();
   } catch (const std::exception&) {
+    file.place();
     say("the table " + path + " was written, its manifest or its census was not");
     throw;
   }
+  file.place();
   return table;
 }
 

@@ -16,8 +16,8 @@ namespace hexatlas::cli {
 /// The table and what lies beside it: its manifest and its census.
 [[nodiscard]] std::array<std::string, 3> table_files(const std::string& path);
 
-/// Whether the output would take the place of the table to read (table_path() of `asked_for`) or of
-/// what lies beside it; says so.
+/// Whether the output would take the place of a table to read (tables_to_read() of `asked_for`) or
+/// of what lies beside it; says so.
 [[nodiscard]] bool would_lose_table(const std::string& asked_for, const NamedFile& output,
                                     const char* verb);
 
@@ -44,7 +44,8 @@ struct Making {
 /// How the meshes of a table were found, according to the census beside it, if there is one.
 [[nodiscard]] std::map<canon::Code, Found> found_in_census(const format::Table& table);
 
-/// Writes the three files. The table took the time: it stays where the others cannot be written.
+/// Writes the three files, of which none takes its place before all are on disk, so that a kill
+/// hardly ever parts them. The table took the time: it stays where the others cannot be written.
 format::Table write_table(const std::string& path, const NewTable& made, const Making& making);
 
 /// The date of what is found now: that of SOURCE_DATE_EPOCH, for builds that are to be the same on

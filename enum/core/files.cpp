@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "enum/core/errors.hpp"
@@ -97,9 +98,9 @@ void write_parts(int fd, const Produce& produce, const std::string& name) {
   produce([&](std::string_view bytes) { write_all(fd, bytes, name); });
 }
 
-void replace_file(const std::filesystem::path& target, const Produce& produce) {
-  const std::filesystem::path folder = folder_of(target);
-  std::string temporary = (folder / ".hexatlas.XXXXXX").string();
+/// The name of the file with what is to take the place of `target`.
+std::string file_beside(const std::filesystem::path& target, const Produce& produce) {
+  std::string temporary = (folder_of(target) / ".hexatlas.XXXXXX").string();
   const Descriptor fd(::mkostemp(temporary.data(), O_CLOEXEC));
   if (fd.get() < 0) {
     const bool is_full = errno == ENOSPC || errno == EDQUOT || errno == EMFILE || errno == ENFILE;
@@ -111,13 +112,24 @@ void replace_file(const std::filesystem::path& target, const Produce& produce) {
     write_parts(fd.get(), produce, target.string());
     if (::fchmod(fd.get(), mode_for(target)) != 0 || ::fsync(fd.get()) != 0)
       throw ResourceFailure(target.string() + ": cannot be written: " + system_message());
-    if (::rename(temporary.c_str(), target.c_str()) != 0)
-      throw InvalidInput(target.string(), "cannot be replaced: " + system_message());
   } catch (...) {
     ::unlink(temporary.c_str());
     throw;
   }
-  flush_folder(folder);
+  return temporary;
+}
+
+/// The file that renaming would replace; none if the bytes go to what is there.
+std::optional<std::filesystem::path> to_replace(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) {
+    expect_no_link(path);
+    return path;
+  }
+  if (S_ISDIR(status.st_mode)) throw InvalidInput(path, "is a directory");
+  if (!S_ISREG(status.st_mode)) return std::nullopt;
+  if (!allows(path, W_OK)) throw InvalidInput(path, "cannot be written: " + system_message());
+  return std::filesystem::canonical(path);
 }
 
 }  // namespace
@@ -139,20 +151,37 @@ void write_file(const std::string& path, std::string_view bytes) {
 }
 
 void write_file_in_parts(const std::string& path, const Produce& produce) {
-  if (path == "-") return write_parts(STDOUT_FILENO, produce, "standard output");
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) {
-    expect_no_link(path);
-    return replace_file(path, produce);
+  PendingFile(path, produce).place();
+}
+
+PendingFile::PendingFile(const std::string& path, const Produce& produce) {
+  if (path == "-") {
+    write_parts(STDOUT_FILENO, produce, "standard output");
+    return;
   }
-  if (S_ISDIR(status.st_mode)) throw InvalidInput(path, "is a directory");
-  if (S_ISREG(status.st_mode)) {
-    if (!allows(path, W_OK)) throw InvalidInput(path, "cannot be written: " + system_message());
-    return replace_file(std::filesystem::canonical(path), produce);
+  if (const auto target = to_replace(path)) {
+    temporary_ = file_beside(*target, produce);
+    target_ = target->string();
+    return;
   }
   const Descriptor fd(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   if (fd.get() < 0) throw InvalidInput(path, "cannot be opened: " + system_message());
   write_parts(fd.get(), produce, path);
+}
+
+PendingFile::PendingFile(const std::string& path, std::string_view bytes)
+    : PendingFile(path, [&](const Sink& sink) { sink(bytes); }) {}
+
+PendingFile::~PendingFile() {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void PendingFile::place() {
+  if (temporary_.empty()) return;
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0)
+    throw InvalidInput(target_, "cannot be replaced: " + system_message());
+  temporary_.clear();
+  flush_folder(folder_of(target_));
 }
 
 void expect_writable(const std::string& path) {

@@ -33,6 +33,26 @@ using Sink = std::function<void(std::string_view)>;
 /// only what went to a device, a pipe or standard output by then is gone.
 void write_file_in_parts(const std::string& path, const std::function<void(const Sink&)>& produce);
 
+/// A file that is whole on disk, under another name in its folder, but not yet in its place: of
+/// files that belong together, none takes its place before all are there.
+class PendingFile {
+ public:
+  /// What write_file() does but for the last step; a device, a pipe and standard output have the
+  /// bytes at once. Throws as write_file() does.
+  PendingFile(const std::string& path, const std::function<void(const Sink&)>& produce);
+  PendingFile(const std::string& path, std::string_view bytes);
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+  /// Leaves what was there, unless the file is in its place.
+  ~PendingFile();
+
+  /// The last step. Throws InvalidInput if the file cannot be replaced.
+  void place();
+
+ private:
+  std::string temporary_, target_;  ///< none: nothing is to be placed
+};
+
 /// Tells before long work what would make it be in vain: that write_file(path, ...) cannot succeed
 /// as the file system stands. Writes nothing. That the file can be written later is not promised.
 /// Throws InvalidInput in the cases in which write_file() does.

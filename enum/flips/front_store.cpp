@@ -45,8 +45,12 @@ void FrontStore::append_family(const canon::Code& code, std::vector<StoredFront>
   shard.fronts += fronts.size();
   own.fronts = std::move(fronts);
   own.has_added = true;
-  for (const StoredFront& front : own.fronts)
-    own.level_floor = std::min(own.level_floor, front.level);
+  own.set_level_floor();
+}
+
+void FrontStore::Family::set_level_floor() noexcept {
+  level_floor = 65535;
+  for (const StoredFront& front : fronts) level_floor = std::min(level_floor, front.level);
 }
 
 void FrontStore::set_scars(FrontId id, const Scars& scars) noexcept {
@@ -142,6 +146,7 @@ void FrontStore::end_pass(std::size_t number) {
     shard.fronts -= static_cast<std::size_t>(own.fronts.end() - kept);
     own.fronts.erase(kept, own.fronts.end());
     own.fronts.shrink_to_fit();
+    own.set_level_floor();
   }
 }
 

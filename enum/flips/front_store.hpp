@@ -78,8 +78,9 @@ class FrontStore {
     std::vector<StoredFront> fronts;
     std::uint32_t pass = 0;             ///< the last pass in which fronts came
     std::uint32_t fresh_begin = 0;      ///< first place of that pass
-    std::uint16_t level_floor = 65535;  ///< no front has a lower level
+    std::uint16_t level_floor = 65535;  ///< the least level of a front, from the end of a pass on
     bool has_added = false;             ///< some came outside of any pass
+    void set_level_floor() noexcept;
   };
 
   explicit FrontStore(const Limits& limits) : limits_(limits), shards_(kShards) {}

@@ -62,6 +62,7 @@ int threads_to_be_had(int wanted) {
   thread_local int asked = 1;
   thread_local int had = 1;
   if (wanted == asked) return had;
+  if (wanted < had) return had = asked = wanted;
   std::latch all_are_made{1};
   std::vector<std::jthread> tried;  // joined before the latch that they wait for ends
   start(tried, wanted, [&all_are_made] { all_are_made.wait(); });
@@ -102,10 +103,12 @@ int threads_or_all(int threads) noexcept { return threads == 0 ? available_threa
 void parallel_for(int threads, std::size_t count, const std::function<void(std::size_t)>& body) {
   core::expects(threads >= 1, "at least one thread");
   FirstException first;
-  if (threads == 1)
+  // One call is made here, outside of any team: within one of OpenMP its own would have one thread.
+  const int team = static_cast<int>(std::min(static_cast<std::size_t>(threads), count));
+  if (team <= 1)
     for (std::size_t i = 0; i < count; ++i) first.guard(i, body);
   else
-    run(threads, count, first, body);
+    run(team, count, first, body);
   first.rethrow();
 }
 

@@ -18,7 +18,8 @@ namespace hexatlas::parallel {
 /// fewer if the system cannot make so many, for want of memory or by a limit.
 /// Returns when all calls have returned. If calls throw, the exception of the smallest such
 /// i is thrown again and every other i is still called. With threads == 1 the calls are made
-/// in order on the calling thread. Requires threads >= 1.
+/// in order on the calling thread, as is a single call, which may use several threads itself;
+/// whether those of a call beside others may is not promised. Requires threads >= 1.
 /// The caller sees to it that results do not depend on the order: one slot per i.
 void parallel_for(int threads, std::size_t count, const std::function<void(std::size_t)>& body);
 

@@ -1,7 +1,6 @@
 #include "meshing/hybrid/changing_tets.hpp"
 
 #include <algorithm>
-#include <functional>
 
 #include "enum/core/checks.hpp"
 
@@ -29,8 +28,7 @@ ChangingTets::ChangingTets(const TetGraph& graph)
 }
 
 bool ChangingTets::has_regions() const {
-  return std::adjacent_find(regions_.begin(), regions_.end(), std::not_equal_to<>()) !=
-         regions_.end();
+  return std::any_of(regions_.begin(), regions_.end(), [](auto region) { return region != 0; });
 }
 
 bool ChangingTets::has_to_stay(Side side) const {

@@ -44,7 +44,7 @@ class ChangingTets {
   }
   [[nodiscard]] Owner owner(TetIndex t) const noexcept { return owner_[t]; }
   void own(TetIndex t, Owner owner) noexcept { owner_[t] = owner; }
-  /// Whether not all have one region.
+  /// Whether any has another region than 0.
   [[nodiscard]] bool has_regions() const;
   [[nodiscard]] std::uint32_t region(TetIndex t) const noexcept { return regions_[t]; }
   /// Whether the facet has to stay: it is on the boundary, between two regions, or on a surface.

@@ -211,7 +211,7 @@ std::string census_path(const std::string& table_path) {
   return std::filesystem::path(table_path).replace_extension(".census.sqlite").string();
 }
 
-void write_census(const std::string& path, Census census) {
+std::string census_bytes(const std::string& path, Census census) {
   auto& rows = census.rows;
   std::sort(rows.begin(), rows.end(),
             [](const CensusRow& a, const CensusRow& b) { return a.code < b.code; });
@@ -230,7 +230,7 @@ void write_census(const std::string& path, Census census) {
   const std::unique_ptr<unsigned char, Close> bytes(
       sqlite3_serialize(database.get(), "main", &size, 0));
   if (!bytes) refuse(SQLITE_NOMEM, path);
-  core::write_file(path, std::string(bytes.get(), bytes.get() + size));
+  return {bytes.get(), bytes.get() + size};
 }
 
 Census read_census(const std::string& path) {

@@ -44,13 +44,12 @@ struct Census {
 /// `NAME.hxt` -> `NAME.census.sqlite`.
 [[nodiscard]] std::string census_path(const std::string& table_path);
 
-/// Replaces the file whole or leaves what was there, as core::write_file does. Rows in any order;
-/// the same rows make the same bytes, with the same version of SQLite.
+/// The bytes of a file, which errors call `path`. Rows in any order; the same rows make the same
+/// bytes, with the same version of SQLite.
 /// Requires distinct codes and hexahedra >= lower_bound >= 1 in each row.
-/// Throws InvalidInput if the file cannot be created, ResourceFailure if it cannot be written or
-/// memory runs out.
+/// Throws ResourceFailure if memory runs out.
 /// Cost: the database is built in memory, about 150 bytes per row.
-void write_census(const std::string& path, Census census);
+[[nodiscard]] std::string census_bytes(const std::string& path, Census census);
 
 /// Throws InvalidInput if the file is missing, no census, of another version, or damaged: the
 /// structure is tested by SQLite, the content by the digest in it. The bytes are taken as they

@@ -132,7 +132,9 @@ TableSearch TableSearch::from_bytes(std::string_view bytes, std::vector<canon::C
   TableSearch search(std::move(targets), options);
   std::string_view rest = intact(bytes, name);
   if (take(rest, kDigestSize, name) != search.settings())
-    throw core::InvalidInput(name, "is a search for other boundaries or with other options");
+    throw core::InvalidInput(name,
+                             "is a search for other boundaries or with other options: it "
+                             "goes on with those of the command that began it only");
   const auto phase = take<std::uint64_t>(rest, name);
   if (phase > static_cast<std::uint64_t>(Phase::finished))
     throw core::InvalidInput(name, "a saved search that is damaged");

@@ -151,6 +151,11 @@ class MeshHybridTest(program.ProgramTest):
         self.assertEqual(self.succeeds("mesh", "hybrid", "regions.mesh", "-o", "regions.vtk").err, "")
         found = self.read("regions.vtk").decode().split("LOOKUP_TABLE default\n")[1].split()
         self.assertEqual(sorted(found), ["1"] * (len(found) - 1) + ["2"])
+        # One region has its number, too.
+        self.write("one.mesh", medit(points, cells, [42] * len(cells)))
+        self.succeeds("mesh", "hybrid", "one.mesh", "-o", "out.mesh")
+        lines = self.read("out.mesh").decode().split("\n")
+        self.assertEqual(lines[lines.index("Hexahedra") + 2].split()[-1], "42")
 
     def test_surfaces(self):
         points, cells = kuhn(2)
@@ -222,6 +227,16 @@ class MeshHybridTest(program.ProgramTest):
         kept = json.loads(self.succeeds("mesh", "hybrid", "thin.obj", "--fill", "lattice", "-o", "thin.vtu", "--json",
                                         "--keep-diagonals").out)
         self.assertEqual(kept["lattice"]["exchanged_diagonals"], 0)
+        # Parts of the surface are not kept, and that is said.
+        points, quads = surfaces.block(1, 1, 1)
+        for number, note in ((5, ""), (6, "hexatlas: note: --fill keeps the surface, but not the parts ")):
+            rows = [f"{a + 1} {b + 1} {c + 1} {r}" for i, q in enumerate(quads) for a, b, c, r in
+                    ((*q[:3], number if i == 0 else 5), (q[0], *q[2:], 5))]
+            self.write("parts.mesh", "\n".join(
+                ["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(points)),
+                 *("%r %r %r 0" % tuple(map(float, p)) for p in points), "Triangles", str(len(rows)), *rows, "End", ""]))
+            ran = self.succeeds("mesh", "hybrid", "parts.mesh", "--fill", "lattice", "-o", "parts.vtu")
+            self.assertEqual(ran.err[:len(note)] if note else ran.err, note)
         ran = self.hexatlas("mesh", "hybrid", self.box((2, 2, 2), cut=True), "--fill", "lattice",
                             "-o", "open.vtu")
         self.expect_fault(ran, "box.obj")

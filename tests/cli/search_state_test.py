@@ -86,6 +86,22 @@ class SearchState(program.ProgramTest):
                 self.assertEqual([n for n in self.listing() if n.startswith("a.")], [])
                 self.assertTrue(os.path.exists(self.path(name)))
 
+    def test_a_save_that_fails_is_tried_again(self):
+        os.mkdir(self.path("here"))
+        with self.start("a.hxt", "--state", "here/s.state", "--save-every", "0", search=ENDLESS) as search:
+            while search.poll() is None and not os.path.exists(self.path("here/s.state")):
+                time.sleep(0.002)
+            os.rename(self.path("here"), self.path("there"))
+            first = search.stderr.readline().decode()
+            os.rename(self.path("there"), self.path("here"))
+            program.wait_for_handler(search, signal.SIGINT)
+            search.send_signal(signal.SIGINT)
+            said = search.stderr.read().decode()
+        self.assertRegex(first, r"\Ahexatlas: note: not saved this time, [^\n]*here/s\.state: cannot be [^\n]*\n\Z")
+        self.assertEqual(search.returncode, 4, said)
+        self.assertIn("goes on from here/s.state", said)
+        self.assertTrue(os.path.exists(self.path("here/s.state")))
+
     def test_table_so_far(self):
         before = self.kill_after_a_save()
         self.assertIn(self.build("far.hxt", "--state", "s.state", "--so-far").code, FOUND_ALL_OR_NOT)

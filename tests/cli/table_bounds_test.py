@@ -49,6 +49,21 @@ class Bounds(TableTest):
         self.assertEqual([row["sources"] for row in before["by_quads"].values()],
                          [row["sources"] for row in after["by_quads"].values()])
 
+    def test_what_only_the_output_has_is_not_lost(self):
+        cube = program.made_by("table", "build", "-o", "cube.hxt", *QUICK, "--max-hexahedra", "2")
+        for name, data in cube.items():
+            self.write(name, data)
+        before = {name: self.read(name) for name in self.listing()}
+        ran = self.hexatlas("table", "bounds", "cube.hxt", "-o", "small.hxt", "--max-hexes", "3")
+        self.expect_fault(ran, "small.hxt")
+        self.assertIn("1 mesh that TABLE lacks", ran.err)
+        self.assertEqual({name: self.read(name) for name in self.listing()}, before)
+
+    def test_a_table_may_follow_the_boundary(self):
+        ran = self.expect(0, self.hexatlas("table", "bounds", "-o", "out.hxt", "--max-hexes", "3", "--only", "two-cubes",
+                                           "--only", "cube", "small.hxt", "--json"))
+        self.assertEqual(json.loads(ran.out)["entries"], 2)
+
     def test_goes_on_in_place_and_by_quads(self):
         said = self.bounds("small.hxt", "-o", "small.hxt", "--max-hexes", "9", "--max-quads", "6")
         self.assertEqual((said["raised"], said["by_bound"]), (0, {"1": 2}))
@@ -58,6 +73,7 @@ class Bounds(TableTest):
         for word in ("pyramid", "q1:088a577f"):
             self.expect_fault(self.hexatlas("table", "bounds", "small.hxt", "-o", "out.hxt",
                                             "--max-hexes", "9", "--only", word), word)
+            self.assertNotIn("out.hxt", self.listing())
         self.assertEqual(self.read("small.hxt"), self.good)
         for raised in (1, 0):
             said = self.bounds("small.hxt", "-o", "small.hxt", "--max-hexes", "9", "-j", "2")

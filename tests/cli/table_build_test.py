@@ -85,6 +85,20 @@ class Build(program.ProgramTest):
         ran = self.build("a.hxt", "--state", "a.state", "--start-from", "a.hxt")
         self.assertIn("note: a.state goes on with what it has", ran.err)
 
+    def test_a_table_that_is_replaced_keeps_its_boundaries(self):
+        self.build("a.hxt")
+        before = {name: self.read(name) for name in self.listing()}
+        search = ("--max-quads", "6", "--width", "1", "--rounds", "1", "--max-hexahedra", "1", "--growths", "0")
+        os.symlink("a.hxt", self.path("link.hxt"))
+        for name in ("a.hxt", "link.hxt"):
+            ran = self.hexatlas("table", "build", "-o", "a.hxt", *search, "--start-from", name)
+            self.expect_fault(ran, name)
+            self.assertIn("1 mesh of other boundaries", ran.err)
+        os.remove(self.path("link.hxt"))
+        self.assertEqual({name: self.read(name) for name in self.listing()}, before)
+        self.expect(0, self.hexatlas("table", "build", "-o", "a.hxt", *search, "--also", "two-cubes", "--start-from", "a.hxt"))
+        self.assertEqual(self.read("a.hxt"), before["a.hxt"])
+
     def test_of_equal_meshes_those_of_the_first_table_stay(self):
         # The search finds most of these small meshes itself, in an order of its own.
         small = ("--max-quads", "12", *QUICK[4:], "--width", "1000", "--max-hexahedra", "6")

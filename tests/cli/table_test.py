@@ -150,7 +150,12 @@ class Read(TableTest, MeshTest):
                 self.expect_fault(ran, word)
         ran = self.expect(4, self.hexatlas("table", "get", "--table", "small.hxt", "--code",
                                            "q1:02228a2a5777df7f"))
-        self.assertRegex(ran.err, r"\Ahexatlas: q1:02228a2a5777df7f \(16 quads\)[^\n]+\n\Z")
+        self.assertRegex(ran.err, r"\Ahexatlas: q1:02228a2a5777df7f \(16 quads\)[^\n]+; --search looks for a mesh\n\Z")
+        for options in ((), ("--search",)):  # 28 quads are too many
+            ran = self.expect(4, self.hexatlas("table", "get", "--table", "small.hxt", "--code",
+                                               "q1:0888888888888a55555577ffffff", *options))
+            self.assertRegex(ran.err, r"\A[^\n]+ \(28 quads\) [^\n]+ at most 26; `hexatlas mesh hex`[^\n]+\n\Z")
+            self.assertEqual(ran.out, "")
 
     def test_no_output_takes_its_place(self):
         cube = os.path.join(program.INPUTS, "cube.obj")
@@ -187,6 +192,12 @@ class Read(TableTest, MeshTest):
                         int(other[place]) >= int(row[place]) or other[place] == row[place]]
                 self.assertEqual([line.split("\t") for line in self.read("l.tsv").decode().splitlines()],
                                  rows[:1] + kept)
+
+    def test_an_empty_list_says_so(self):
+        for option, number in (("--quads", "8"), ("--at-least", "3")):
+            ran = self.expect(0, self.hexatlas("table", "list", "small.hxt", option, number))
+            self.assertEqual(ran.err, "hexatlas: note: there is no such boundary in small.hxt\n")
+            self.assertEqual(len(ran.out.splitlines()), 1)
 
     def test_a_name_with_a_line_feed(self):
         ran = self.hexatlas("table", "get", "--table", "small.hxt", "--name", "a\nb")
@@ -230,6 +241,12 @@ class TwoTables(TableTest):
         self.expect(4, self.get(TWO_CUBES, "--table", first))
         listed = self.expect(0, self.hexatlas("table", "list", "--quads", "10", executable=self.copy)).out
         self.assertEqual(len(listed.splitlines()), 1 + 1)
+        for name in (first, larger):
+            before = self.read(name)
+            for words in (("list", "--quads", "10"), ("get", "--code", TWO_CUBES)):
+                ran = self.expect(2, self.hexatlas("table", *words, "-o", name, executable=self.copy))
+                self.assertIn("are the same file", ran.err)
+            self.assertEqual(self.read(name), before)
         self.write(larger, self.good[:-1])
         self.expect_fault(self.get(TWO_CUBES), self.path(larger))
         self.expect(0, self.get("q1:08a5df"))

@@ -107,6 +107,24 @@ TEST_F(Files, WhatWasThereStaysIfAPartIsMissing) {
   EXPECT_EQ(entries(), 1) << "a file was left";
 }
 
+TEST_F(Files, PendingOnesTakeTheirPlaceWhenTold) {
+  core::write_file(path("a"), "old");
+  {
+    core::PendingFile a(path("a"), "new"), b(path("b"), "new");
+    EXPECT_EQ(entries(), 3);
+    EXPECT_EQ(support::bytes_of(path("a")), "old");
+    b.place();
+    b.place();
+    EXPECT_EQ(support::bytes_of(path("b")), "new");
+    EXPECT_EQ(entries(), 3);
+  }
+  EXPECT_EQ(support::bytes_of(path("a")), "old");
+  EXPECT_EQ(entries(), 2) << "a file was left";
+  core::PendingFile a(path("a"), "new");
+  a.place();
+  EXPECT_EQ(support::bytes_of(path("a")), "new");
+}
+
 TEST_F(Files, AFileLargerThanTheLimitIsRefusedBeforeItIsRead) {
   { std::ofstream(path("a")) << "x"; }
   std::error_code error;

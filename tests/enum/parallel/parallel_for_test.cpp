@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <new>
 #include <stdexcept>
@@ -49,6 +50,20 @@ TEST(ParallelFor, OneThreadKeepsTheOrderAndTheThread) {
     order.push_back(i);
   });
   EXPECT_EQ(order, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+}
+
+TEST(ParallelFor, ASingleCallMayUseSeveralThreads) {
+  std::atomic<int> waiting{0};
+  std::atomic<int> met{0};
+  parallel_for(4, 1, [&](std::size_t) {
+    parallel_for(2, 2, [&](std::size_t) {
+      ++waiting;
+      const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+      while (waiting < 2 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+      met += waiting == 2 ? 1 : 0;
+    });
+  });
+  EXPECT_EQ(met, 2);
 }
 
 TEST(ParallelFor, ThrowsTheExceptionOfTheLeastIndexAfterAllCalls) {

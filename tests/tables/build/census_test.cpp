@@ -22,6 +22,10 @@
 namespace {
 
 using namespace hexatlas;
+
+void write_census(const std::string& path, const build::Census& census) {
+  core::write_file(path, build::census_bytes(path, census));
+}
 using build::Census;
 
 class CensusFile : public ::testing::Test {
@@ -45,7 +49,7 @@ class CensusFile : public ::testing::Test {
   }
   void put(const std::string& bytes) const { std::ofstream(path, std::ios::binary) << bytes; }
   [[nodiscard]] std::string bytes_of(const Census& census) const {
-    build::write_census(path, census);
+    write_census(path, census);
     return core::read_file(path);
   }
 
@@ -81,7 +85,7 @@ TEST_F(CensusFile, GivesBackItsRows) {
   EXPECT_TRUE(are_same(build::read_census(path), census));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1) << "no other file";
   census.rows.clear();
-  build::write_census(path, census);
+  write_census(path, census);
   EXPECT_TRUE(build::read_census(path).rows.empty());
   EXPECT_EQ(build::census_path("a/b.hxt"), "a/b.census.sqlite");
 }
@@ -97,7 +101,7 @@ TEST_F(CensusFile, RowsThatCannotBeAreNotWritten) {
   const auto refuses = [&](const std::function<void(Census&)>& change) {
     Census bad = good;
     change(bad);
-    EXPECT_THROW(build::write_census(path, bad), core::PreconditionViolated);
+    EXPECT_THROW(write_census(path, bad), core::PreconditionViolated);
     EXPECT_FALSE(std::filesystem::exists(path));
   };
   refuses([](Census& c) { c.rows.push_back(c.rows[3]); });
@@ -140,11 +144,11 @@ TEST_F(CensusFile, WhatIsNoCensusIsRefused) {
   std::filesystem::remove(path);
   std::filesystem::create_directory(path);
   EXPECT_NE(refusal().find("is a directory"), std::string::npos);
-  EXPECT_THROW(build::write_census(path, small_census()), core::InvalidInput);
-  EXPECT_THROW(build::write_census((folder / "no" / "where").string(), small_census()),
+  EXPECT_THROW(write_census(path, small_census()), core::InvalidInput);
+  EXPECT_THROW(write_census((folder / "no" / "where").string(), small_census()),
                core::InvalidInput);
   if (std::filesystem::exists("/dev/full")) {
-    EXPECT_THROW(build::write_census("/dev/full", small_census()), core::ResourceFailure);
+    EXPECT_THROW(write_census("/dev/full", small_census()), core::ResourceFailure);
   }
 }
 
