@@ -70,6 +70,28 @@ std::size_t keep_interfaces(const mesh::HexModel& model, std::vector<std::uint8_
   return kept;
 }
 
+bool is_worse(const quality::Report& report, const quality::Report& than) {
+  if (report.valid != than.valid) return report.valid < than.valid;
+  if (report.inverted != than.inverted) return report.inverted > than.inverted;
+  return report.min_scaled_jacobian < than.min_scaled_jacobian;
+}
+
+/// Places the free vertices; those given stay, bit for bit, if nothing is tried or none is better.
+quality::Report place(mesh::HexMesh& mesh, std::vector<std::uint8_t> is_free,
+                      const MeshUntangleOptions& options, const quality::Report& before) {
+  if (!options.harmonic && options.effort == 0) return before;
+  std::vector<mesh::Point> given = mesh.points;
+  hexahedrize::place(mesh, std::move(is_free),
+                     {.effort = options.effort,
+                      .threads = parallel::threads_or_all(options.threads),
+                      .starts_as_given = !options.harmonic});
+  quality::Report report = quality::report(mesh);
+  if (options.harmonic || !is_worse(report, before)) return report;
+  mesh.points = std::move(given);
+  say("note: no better places were found; those given stay");
+  return before;
+}
+
 }  // namespace
 
 ExitCode mesh_untangle(const MeshUntangleOptions& options) {
@@ -89,11 +111,7 @@ ExitCode mesh_untangle(const MeshUntangleOptions& options) {
   vertices.free =
       static_cast<std::size_t>(std::count(is_free.begin(), is_free.end(), std::uint8_t{1}));
   const quality::Report before = quality::report(mesh);
-  hexahedrize::place(mesh, std::move(is_free),
-                     {.effort = options.effort,
-                      .threads = parallel::threads_or_all(options.threads),
-                      .starts_as_given = !options.harmonic});
-  const quality::Report report = quality::report(mesh);
+  const quality::Report report = place(mesh, std::move(is_free), options, before);
   const double elapsed = seconds() - start;
   write_with_report(files, mesh,
                     [&] { return report_of(options, vertices, before, report, elapsed); });

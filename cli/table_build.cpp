@@ -249,8 +249,8 @@ ExitCode table_build(const TableBuildOptions& options) {
   made.names = names_among(made.rows);
   const format::Table table = write_table(
       options.output, made, {options.command, options.search.balls.seed, std::move(found)});
-  print(fmt::format("{}: {} meshes, {} bytes, sha256 {}\n", options.output, table.size(),
-                    table.bytes(), table.sha256()));
+  print(fmt::format("{}: {}, {} bytes, sha256 {}\n", options.output,
+                    counted(table.size(), "mesh", "meshes"), table.bytes(), table.sha256()));
   return without_mesh.empty() ? ExitCode::yes : ExitCode::undecided;
 }
 

@@ -94,6 +94,31 @@ class Untangle(program.ProgramTest):
                     self.assertEqual(old, new)
             self.assertEqual(len(mesh[0]), len(points))
 
+    def test_places_stay_if_none_is_better(self):
+        rng = random.Random(5)
+        points, _, text = grid(3, lambda p: tuple(x + 0.1 * rng.random() for x in p))
+        self.write("in.mesh", text)
+        ran = self.expect(0, self.hexatlas("mesh", "untangle", "in.mesh", "-o", "out.vtk", "--effort", "0"))
+        self.assertEqual(hex_files.bits(self.mesh("out.vtk")[0]), hex_files.bits(points))
+        self.assertEqual(ran.err, "")
+        # A small block with a cell so far away that its own size is lost in a frame of both.
+        lines = grid(3, lambda p: p)[2].split("\n")
+        begin, count = lines.index("Vertices") + 2, 64
+        rows = [[float(x) for x in line.split()[:3]] for line in lines[begin:begin + count]]
+        far = [(1e8 + x, float(y), float(z)) for x, y, z in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0),
+                                                            (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))]
+        points = [tuple(1e-9 * x for x in row) for row in rows] + far
+        cells = lines[lines.index("Hexahedra") + 2:][:27] + [" ".join(map(str, [*range(65, 73), 0]))]
+        self.write("in.mesh", "\n".join(
+            ["MeshVersionFormatted 2", "Dimension 3", "Vertices", "72", *("%r %r %r 0" % p for p in points),
+             "Hexahedra", "28", *cells, "End", ""]))
+        for effort in "02":
+            ran = self.expect(0, self.hexatlas("mesh", "untangle", "in.mesh", "-o", "out.vtk", "--effort", effort, "--json"))
+            said = json.loads(ran.out)
+            self.assertEqual((said["before"]["valid"], said["after"]), (28, said["before"]))
+            self.assertEqual(hex_files.bits(self.mesh("out.vtk")[0]), hex_files.bits(points))
+            self.assertEqual(ran.err, {"0": "", "2": "hexatlas: note: no better places were found; those given stay\n"}[effort])
+
     def test_interfaces_stay(self):
         """Between two regions, and where quads are listed: the plane x = 2."""
         rng = random.Random(4)
