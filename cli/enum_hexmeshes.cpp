@@ -245,7 +245,10 @@ void search(const EnumHexmeshesOptions& options, const hexes::HexmeshProblem& pr
                     saved.if_due();
                     return !(options.first && !result.frontier.found.empty());
                   });
-  save();
+  if (result.frontier.is_finished())
+    saved.try_now();
+  else
+    save();
   std::sort(result.frontier.found.begin(), result.frontier.found.end(),
             [](const Hexmesh& a, const Hexmesh& b) {
               const auto& [cells, others] = std::tie(a.mesh.hexahedra, b.mesh.hexahedra);

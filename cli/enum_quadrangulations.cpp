@@ -3,6 +3,7 @@
 #include <atomic>
 #include <charconv>
 #include <cstdint>
+#include <filesystem>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -72,8 +73,15 @@ class Parts {
     const std::atomic<bool>& stop = stop_requested();
     parallel::parallel_for(parallel::threads_or_all(options.threads), kParts, [&](std::size_t i) {
       if (has_failed_) return;
-      Found part = part_of(options, i, stop);
+      Found part;
+      try {
+        part = part_of(options, i, stop);
+      } catch (...) {
+        has_failed_ = true;
+        throw;
+      }
       const std::lock_guard lock(lock_);
+      if (has_failed_) return;
       found_[i] = std::move(part);
       progress_.update("parts of the search", ++done_, kParts);
       put_next();
@@ -94,7 +102,7 @@ class Parts {
     try {
       sink_(list);
     } catch (...) {
-      has_failed_ = true;  // the rest of the search is in vain
+      has_failed_ = true;
       throw;
     }
   }
@@ -105,7 +113,7 @@ class Parts {
   std::vector<std::optional<Found>> found_;
   std::size_t done_ = 0, next_ = 0;
   quads::Sums sums_;
-  std::atomic<bool> has_failed_{false};
+  std::atomic<bool> has_failed_{false};  ///< then nothing more is begun or written
 };
 
 struct Stopped {};
@@ -127,7 +135,11 @@ quads::Sums list_to_output(const EnumQuadrangulationsOptions& options) {
 
 std::string words_if_stopped(const std::string& output) {
   if (output.empty()) return "stopped; there is no total";
-  return output == "-" ? "stopped; the list is not whole" : "stopped; nothing is written";
+  std::error_code unknown;
+  const auto status = std::filesystem::status(output, unknown);
+  const bool is_replaced = output != "-" && (!std::filesystem::exists(status) ||
+                                             std::filesystem::is_regular_file(status));
+  return is_replaced ? "stopped; nothing is written" : "stopped; the list is not whole";
 }
 
 bool is_whole(const EnumQuadrangulationsOptions& options) { return shard_of(options).parts == 1; }

@@ -22,6 +22,8 @@ const std::atomic<bool>& stop_requested() {
   // Once: what the first signal did is to stay.
   static const bool is_installed = [] {
     for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, request_stop);
+    // A terminal that closes; who began the program with nohup wants it to go on.
+    if (std::signal(SIGHUP, SIG_IGN) != SIG_IGN) std::signal(SIGHUP, request_stop);
     return true;
   }();
   static_cast<void>(is_installed);

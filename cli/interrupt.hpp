@@ -6,8 +6,8 @@
 
 namespace hexatlas::cli {
 
-/// Becomes true at SIGINT or SIGTERM, from the first call on; a second signal ends the program at
-/// once.
+/// Becomes true at SIGINT, SIGTERM or, unless it was ignored, SIGHUP, from the first call on; a
+/// second SIGINT or SIGTERM ends the program at once.
 [[nodiscard]] const std::atomic<bool>& stop_requested();
 
 }  // namespace hexatlas::cli

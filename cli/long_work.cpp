@@ -12,10 +12,13 @@
 namespace hexatlas::cli {
 
 void PeriodicSave::if_due() {
-  if (seconds() - last_ < every_) return;
+  if (seconds() - last_ >= every_) try_now();
+}
+
+void PeriodicSave::try_now() {
   const auto failed = [this](const std::exception& error) {
     if (!std::exchange(has_failed_, true))
-      say(fmt::format("note: not saved this time, goes on and tries again: {}", error.what()));
+      say(fmt::format("note: this save failed, the work goes on: {}", error.what()));
   };
   try {
     save_();

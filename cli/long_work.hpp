@@ -14,14 +14,16 @@
 
 namespace hexatlas::cli {
 
-/// Saves work that takes long now and then. What cannot be written is said once and tried again
-/// when it is due: the work is unharmed, and whether it can be kept shows at its end.
+/// Saves work that takes long now and then. That it cannot be written is said once, and it is tried
+/// again when it is due: the work is unharmed, and whether it can be kept shows at its end.
 class PeriodicSave {
  public:
   PeriodicSave(double every, std::function<void()> save)
       : every_(every), save_(std::move(save)), last_(seconds()) {}
 
   void if_due();
+  /// At the end of work that does not need it.
+  void try_now();
 
  private:
   double every_;  ///< seconds

@@ -88,7 +88,7 @@ ExitCode mesh_boundary(const MeshBoundaryOptions& options) {
   if (!ordinal) {
     const auto quads = static_cast<std::size_t>(boundary.boundary.quads());
     std::string reason = fmt::format("the boundary of {} quads is not in {}", quads, table.path());
-    if (quads <= flips::kMaxSearchQuads)
+    if (quads <= flips::kMaxSearchQuads && options.table.empty())
       reason +=
           fmt::format("; `hexatlas table get --code {} --search` looks for a mesh", boundary.code);
     tell(files, boundary.code, {"not_in_table", quads, reason, boundary.code}, options.json);

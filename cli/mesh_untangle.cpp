@@ -76,7 +76,8 @@ bool is_worse(const quality::Report& report, const quality::Report& than) {
   return report.min_scaled_jacobian < than.min_scaled_jacobian;
 }
 
-/// Places the free vertices; those given stay, bit for bit, if nothing is tried or none is better.
+/// Places the free vertices; those given stay, bit for bit, if nothing is tried or all would
+/// be worse.
 quality::Report place(mesh::HexMesh& mesh, std::vector<std::uint8_t> is_free,
                       const MeshUntangleOptions& options, const quality::Report& before) {
   if (!options.harmonic && options.effort == 0) return before;

@@ -120,8 +120,12 @@ void expect_nothing_lost(const format::Table& earlier, const format::Table& give
     throw core::InvalidInput(earlier.path(),
                              fmt::format("has {} that TABLE lacks; name another file with -o",
                                          counted(lost, "mesh", "meshes")));
+  const auto code_in = [](const format::Table& table, std::size_t ordinal) {
+    return table.entry(ordinal).code;
+  };
   for (const format::TableName& name : earlier.names())
-    if (!given.find_name(name.name))
+    if (const auto own = given.find_name(name.name);
+        !own || code_in(given, *own) != code_in(earlier, name.ordinal))
       throw core::InvalidInput(earlier.path(), fmt::format("has the name {}, which TABLE lacks; "
                                                            "name another file with -o",
                                                            name.name));

@@ -149,7 +149,10 @@ bool proceed(build::TableSearch& search, const std::string& state, double save_e
     search.step();
     saved.if_due();
   }
-  save();
+  if (search.is_finished())
+    saved.try_now();
+  else
+    save();
   return search.is_finished();
 }
 

@@ -70,14 +70,14 @@ format::Table write_table(const std::string& path, const NewTable& made, const M
             table, {making.command, making.seed, "hexatlas " + version(), HEXATLAS_COMMIT}));
     const std::string census = build::census_path(path);
     core::PendingFile rows(census, build::census_bytes(census, census_of(table, making)));
+    file.place();
     manifest.place();
     rows.place();
   } catch (const std::exception&) {
-    file.place();
+    file.place();  // unless it is there already
     say("the table " + path + " was written, its manifest or its census was not");
     throw;
   }
-  file.place();
   return table;
 }
 

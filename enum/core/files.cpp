@@ -129,7 +129,10 @@ std::optional<std::filesystem::path> to_replace(const std::string& path) {
   if (S_ISDIR(status.st_mode)) throw InvalidInput(path, "is a directory");
   if (!S_ISREG(status.st_mode)) return std::nullopt;
   if (!allows(path, W_OK)) throw InvalidInput(path, "cannot be written: " + system_message());
-  return std::filesystem::canonical(path);
+  std::error_code error;  // it may have gone since
+  std::filesystem::path target = std::filesystem::canonical(path, error);
+  if (error) throw InvalidInput(path, "cannot be replaced: " + error.message());
+  return target;
 }
 
 }  // namespace
@@ -160,8 +163,8 @@ PendingFile::PendingFile(const std::string& path, const Produce& produce) {
     return;
   }
   if (const auto target = to_replace(path)) {
-    temporary_ = file_beside(*target, produce);
     target_ = target->string();
+    temporary_ = file_beside(*target, produce);
     return;
   }
   const Descriptor fd(::open(path.c_str(), O_WRONLY | O_CLOEXEC));

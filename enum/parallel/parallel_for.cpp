@@ -62,7 +62,6 @@ int threads_to_be_had(int wanted) {
   thread_local int asked = 1;
   thread_local int had = 1;
   if (wanted == asked) return had;
-  if (wanted < had) return had = asked = wanted;
   std::latch all_are_made{1};
   std::vector<std::jthread> tried;  // joined before the latch that they wait for ends
   start(tried, wanted, [&all_are_made] { all_are_made.wait(); });
@@ -104,11 +103,10 @@ void parallel_for(int threads, std::size_t count, const std::function<void(std::
   core::expects(threads >= 1, "at least one thread");
   FirstException first;
   // One call is made here, outside of any team: within one of OpenMP its own would have one thread.
-  const int team = static_cast<int>(std::min(static_cast<std::size_t>(threads), count));
-  if (team <= 1)
+  if (threads == 1 || count <= 1)
     for (std::size_t i = 0; i < count; ++i) first.guard(i, body);
   else
-    run(team, count, first, body);
+    run(threads, count, first, body);
   first.rethrow();
 }
 

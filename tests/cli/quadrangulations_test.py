@@ -89,6 +89,17 @@ class QuadrangulationsTest(program.ProgramTest):
         self.assertIn("min-degree-3 quadrangulations of the sphere with 12 quads: 12\n", text)
         self.assertIn("exhaustive", text)
 
+    def test_a_stop_leaves_what_was_there(self):
+        self.write("list", "before")
+        for output, words in (("list", "stopped; nothing is written"), ("-", "stopped; the list is not whole")):
+            with subprocess.Popen([program.PROGRAM, "enum", "quadrangulations", "--quads", "26", "-o", output],
+                                  cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as running:
+                program.wait_for_handler(running, signal.SIGTERM)
+                running.send_signal(signal.SIGTERM)
+                said = running.communicate(timeout=120)[1].decode()
+            self.assertEqual((running.returncode, said), (4, f"hexatlas: {words}\n"))
+        self.assertEqual((self.listing(), self.read("list")), (["list"], b"before"))
+
     def test_list_is_planar_code_and_the_same_for_any_threads(self):
         for name, quads, count in (("3-connected", 13, 18), ("min-degree-3", 12, 12),
                                    ("simple", 8, 62)):
