@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "enum/complex/union_find.hpp"
 #include "enum/core/random.hpp"
 
 namespace hexatlas::untangle {
@@ -16,6 +17,7 @@ constexpr Eigen::Index kMaxFactorized = 30'000;
 constexpr int kMaxIterations = 300;
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
+using Weights = std::vector<double>;  ///< one per edge
 
 std::vector<Edge> edges_of(const std::vector<Cell>& cells) {
   std::vector<Edge> edges;
@@ -27,6 +29,55 @@ std::vector<Edge> edges_of(const std::vector<Cell>& cells) {
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
+}
+
+std::size_t number_of(const std::vector<Edge>& edges, std::uint32_t a, std::uint32_t b) {
+  const auto at = std::lower_bound(edges.begin(), edges.end(), Edge(std::minmax(a, b)));
+  return static_cast<std::size_t>(at - edges.begin());
+}
+
+/// Of the edges, which are opposite each other.
+complex::UnionFind sheets_of(const std::vector<Cell>& cells, const std::vector<Edge>& edges) {
+  complex::UnionFind sheets(edges.size());
+  for (const Cell& cell : cells)
+    for (const unsigned axis : {1U, 2U, 4U}) {
+      const std::size_t first = number_of(edges, cell[0], cell[axis]);
+      for (unsigned v = 1; v < 8; ++v)
+        if ((v & axis) == 0) sheets.unite(first, number_of(edges, cell[v], cell[v | axis]));
+    }
+  return sheets;
+}
+
+struct Mean {
+  double sum = 0, count = 0;
+  void add(double x) {
+    sum += x;
+    ++count;
+  }
+  [[nodiscard]] double value() const { return count == 0 ? 0 : sum / count; }
+};
+
+Weights weights_by_sheet(const Points& points, const std::vector<Cell>& cells,
+                         const std::vector<Edge>& edges, const std::vector<std::uint8_t>& is_free) {
+  constexpr double kLeast = 1e-12;  // of the mean length: edges may have none
+  complex::UnionFind sheets = sheets_of(cells, edges);
+  std::vector<Mean> lengths(edges.size());
+  Mean all;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto& [a, b] = edges[e];
+    if (is_free[a] != 0 || is_free[b] != 0) continue;
+    const double length = (points.col(a) - points.col(b)).norm();
+    lengths[sheets.find(e)].add(length);
+    all.add(length);
+  }
+  Weights weights(edges.size(), 1);
+  if (all.value() == 0) return weights;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Mean& own = lengths[sheets.find(e)];
+    const double length = own.count == 0 ? all.value() : own.value();
+    weights[e] = all.value() / std::max(length, kLeast * all.value());
+  }
+  return weights;
 }
 
 double weight_of(const Edge& edge, std::uint64_t seed) {
@@ -82,11 +133,8 @@ Eigen::MatrixX3d solution(const Matrix& matrix, const Eigen::MatrixX3d& right,
   return result.allFinite() ? result : guess;
 }
 
-}  // namespace
-
-void place_harmonically(Points& points, const std::vector<Cell>& cells,
-                        const std::vector<std::uint8_t>& is_free, std::uint64_t seed) {
-  const std::vector<Edge> edges = edges_of(cells);
+void place_by_weights(Points& points, const std::vector<Edge>& edges, const Weights& weights,
+                      const std::vector<std::uint8_t>& is_free) {
   const std::vector<std::uint8_t> is_wanted = determined(edges, is_free);
   std::vector<Eigen::Index> row(is_free.size(), -1);
   std::vector<Eigen::Index> wanted;
@@ -99,9 +147,9 @@ void place_harmonically(Points& points, const std::vector<Cell>& cells,
   if (rows == 0) return;
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(rows, 3);
-  for (const Edge& edge : edges) {
-    const double weight = weight_of(edge, seed);
-    for (const auto& [from, to] : {edge, Edge{edge.second, edge.first}}) {
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const double weight = weights[e];
+    for (const auto& [from, to] : {edges[e], Edge{edges[e].second, edges[e].first}}) {
       if (row[from] < 0) continue;
       entries.emplace_back(row[from], row[from], weight);
       if (row[to] >= 0)
@@ -118,6 +166,23 @@ void place_harmonically(Points& points, const std::vector<Cell>& cells,
   const Eigen::MatrixX3d solved = solution(matrix, right, guess);
   for (Eigen::Index i = 0; i < rows; ++i)
     points.col(wanted[static_cast<std::size_t>(i)]) = solved.row(i).transpose();
+}
+
+}  // namespace
+
+void place_harmonically(Points& points, const std::vector<Cell>& cells,
+                        const std::vector<std::uint8_t>& is_free, std::uint64_t seed) {
+  const std::vector<Edge> edges = edges_of(cells);
+  Weights weights;
+  weights.reserve(edges.size());
+  for (const Edge& edge : edges) weights.push_back(weight_of(edge, seed));
+  place_by_weights(points, edges, weights, is_free);
+}
+
+void place_by_sheets(Points& points, const std::vector<Cell>& cells,
+                     const std::vector<std::uint8_t>& is_free) {
+  const std::vector<Edge> edges = edges_of(cells);
+  place_by_weights(points, edges, weights_by_sheet(points, cells, edges, is_free), is_free);
 }
 
 }  // namespace hexatlas::untangle

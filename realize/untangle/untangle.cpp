@@ -18,6 +18,7 @@ constexpr double kWorkPerEffort = 1e6;
 constexpr double kEvaluationsOfAPart = 100;  ///< wanted; else fewer points move
 constexpr int kMaxParts = 8;
 constexpr std::size_t kWorstCells = 2'000;
+constexpr double kWorthTheSpacing = 0.05;  ///< of the least scaled Jacobian
 
 void expect_requirements(const Mesh& mesh, const Options& options) {
   core::expects(mesh.is_free.size() == mesh.points.size(), "untangle: one flag per point");
@@ -148,6 +149,35 @@ Points placed_in_parts(const Task& task, Points points, Work& work) {
   return points;
 }
 
+/// Places before any descent.
+struct FirstPlaces {
+  Points points;
+  bool keeps_spacing = false;  ///< of the boundary; then all cells are valid
+  double least = 0;            ///< scaled Jacobian, if so
+};
+
+/// Harmonic ones, unless those that keep the spacing make all cells valid.
+FirstPlaces first_places(Points points, const Task& task, int threads) {
+  Points spaced = points;
+  place_by_sheets(spaced, task.cells, task.is_free);
+  Placement placed = judged(std::move(spaced), part_of(task, task.is_free).cells, threads);
+  if (placed.not_valid == 0) return {std::move(placed.points), true, placed.least};
+  place_harmonically(points, task.cells, task.is_free, 0);
+  return {std::move(points)};
+}
+
+/// By descents. They make cells of one size and all directions alike, and so lose a spacing, which
+/// only hexahedra that are much better are worth.
+Points improved(const Task& task, const FirstPlaces& start, Work& work) {
+  if (start.keeps_spacing && start.least + kWorthTheSpacing >= 1) return start.points;
+  Points points = task.cells.size() <= kMostCellsAtOnce ? placed_at_once(task, start.points, work)
+                                                        : placed_in_parts(task, start.points, work);
+  if (!start.keeps_spacing) return points;
+  Placement placed = judged(std::move(points), task.cells, work.threads());
+  const bool is_worth_it = placed.not_valid == 0 && placed.least > start.least + kWorthTheSpacing;
+  return is_worth_it ? std::move(placed.points) : start.points;
+}
+
 }  // namespace
 
 std::vector<exact::Point3> untangled(const Mesh& mesh, const Options& options) {
@@ -170,25 +200,24 @@ std::vector<exact::Point3> untangled(const Mesh& mesh, const Options& options) {
                       std::isfinite(mesh.points[v].z),
                   "untangle: finite coordinates");
   const Frame frame(mesh.points, listed);
-  Points points = Points::Zero(3, static_cast<Eigen::Index>(mesh.points.size()));
-  for (const std::uint32_t v : listed) points.col(v) = frame.inside(mesh.points[v]);
-  if (!starts_as_given) place_harmonically(points, task.cells, task.is_free, 0);
+  FirstPlaces start{Points::Zero(3, static_cast<Eigen::Index>(mesh.points.size()))};
+  for (const std::uint32_t v : listed) start.points.col(v) = frame.inside(mesh.points[v]);
+  if (!starts_as_given) start = first_places(std::move(start.points), task, options.threads);
 
   task = part_of(task, task.is_free);
   double unit = 1;
   if (options.effort > 0 && !task.cells.empty()) {
-    const double volume = volume_of(points, task.cells);
+    const double volume = volume_of(start.points, task.cells);
     const double least_volume = 1e-6;  // of 8
     unit = std::cbrt(std::max(volume, least_volume) / static_cast<double>(task.cells.size()));
     Work work(kWorkPerEffort * options.effort, options.threads);
-    points /= unit;
-    points = task.cells.size() <= kMostCellsAtOnce ? placed_at_once(task, points, work)
-                                                   : placed_in_parts(task, std::move(points), work);
+    start.points /= unit;
+    start.points = improved(task, start, work);
   }
   std::vector<exact::Point3> result = mesh.points;
   for (std::size_t v = 0; v < result.size(); ++v)
     if (task.is_free[v] != 0)
-      result[v] = frame.outside(unit * points.col(static_cast<Eigen::Index>(v)));
+      result[v] = frame.outside(unit * start.points.col(static_cast<Eigen::Index>(v)));
   return result;
 }
 

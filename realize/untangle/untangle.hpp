@@ -3,7 +3,8 @@
 /// Places for the free points of a hexahedral mesh: as many hexahedra as possible valid, and then
 /// the least scaled Jacobian great.
 ///
-/// Method. docs/theory/untangling.md. The free points start harmonic; a regularized energy of the
+/// Method. docs/theory/untangling.md. The free points start harmonic, or where the spacing of the
+/// boundary puts them if all hexahedra are valid there; a regularized energy of the
 /// Jacobian matrices is minimized while its regularization goes to zero (energies.hpp, with
 /// source), which turns inverted corners over; where that does not suffice, from other starts.
 /// Hexahedra that are not valid though their corners are positive are looked at in 27 points
@@ -34,7 +35,7 @@ struct Options {
   /// The limit of work: `effort` million evaluations of the energy of one hexahedron, about as many
   /// seconds on one core; a first start, which is linear, comes before. Small meshes need less;
   /// those of more than 20,000 hexahedra are improved near bad hexahedra only. With 0 free points
-  /// are placed harmonically and no more.
+  /// have their first places and no more.
   int effort = kDefaultEffort;
   int threads = 1;
   /// Begin with the places given instead of harmonic ones.

@@ -42,6 +42,16 @@ class Zones(MeshTest):
             said = self.mesh_and_judge(disguised(surfaces.block(*cubes), rng), "out.mesh", "--effort", "0")
             self.expect_structured(said, cubes)
 
+    def test_the_spacing_of_a_surface_goes_on_inside(self):
+        levels = (0, 0.001, 0.01, 0.2, 0.9, 1)
+        points, quads = surfaces.block(5, 4, 3)
+        graded = [tuple(str(levels[round(float(x))]) for x in p) for p in points]
+        said = self.mesh_and_judge((graded, quads), "out.vtk")
+        self.assertEqual(said["valid"], 60)
+        for p in hex_files.read_vtk(self.read("out.vtk").decode())[0]:
+            for x in p:
+                self.assertLess(min(abs(x - level) for level in levels), 1e-7)
+
     def test_words_for_people(self):
         ran = self.expect(0, self.mesh(surfaces.grid_cube(3), "--effort", "0"))
         self.assertIn("\n26 hexahedra zone by zone, the rest of 6 quads filled by the table; "

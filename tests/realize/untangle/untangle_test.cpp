@@ -75,6 +75,28 @@ TEST(Untangle, AGridIsLeftInGoodShape) {
   EXPECT_GT(grids::least_jacobian(mesh, points), 0.99);
 }
 
+/// Steps of 1 to 1/1000 along each axis, the block sheared.
+TEST(Untangle, ABlockHasTheSpacingOfItsBoundary) {
+  const std::array<double, 6> at{0, 0.001, 0.003, 0.01, 0.2, 1};
+  Mesh mesh = grids::cubes(5);
+  for (Point3& p : mesh.points) {
+    const double x = at[static_cast<std::size_t>(p.x)], y = -at[5 - static_cast<std::size_t>(p.y)];
+    p = {x + 0.25 * y, y - 0.125 * p.z, p.z + 0.5 * x};
+  }
+  const std::vector<Point3> wanted = mesh.points;
+  support::Random random(2);
+  grids::scatter(mesh, 5, random);
+  for (const int effort : {0, 2}) {
+    const auto points = untangled(mesh, {.effort = effort});
+    expect_fixed_kept(mesh, points);
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      EXPECT_NEAR(points[v].x, wanted[v].x, 1e-9);
+      EXPECT_NEAR(points[v].y, wanted[v].y, 1e-9);
+      EXPECT_NEAR(points[v].z, wanted[v].z, 1e-9);
+    }
+  }
+}
+
 TEST(Untangle, ScalingByAPowerOfTwoScalesTheResult) {
   support::Random random(2);
   Mesh mesh = shaken(3, 0.15, random);
