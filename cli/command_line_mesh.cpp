@@ -210,9 +210,11 @@ void add_mesh(CLI::App& app, Action& action) {
   add_mesh_to_write(*hex, options->output);
   hex->add_option(
          "--method", options->method,
-         "table: only what the table has; zones: surfaces of structured meshes; flips: any size, "
-         "usually about one hexahedron per quad; construction: any size, at most 25 hexahedra per "
-         "quad, proven; auto: the first of these that can")
+         "table: only what the table has; zones: layers, for blocks, swept bodies and their like; "
+         "flips: any size, usually about one hexahedron per quad; construction: any size, at most "
+         "25 "
+         "hexahedra per quad, proven; auto: the first of these that can, or the next where that "
+         "leaves fewer hexahedra not valid")
       ->check(CLI::IsMember({"auto", "table", "zones", "flips", "construction"}))
       ->capture_default_str();
   hex->add_option("--layers", options->layers,

@@ -56,19 +56,31 @@ const char* name_of(hexahedrize::Method method) {
   throw core::InternalError("a method without a name");
 }
 
+const char* name_of(hexahedrize::Rest rest) {
+  switch (rest) {
+    case hexahedrize::Rest::table:
+      return "table";
+    case hexahedrize::Rest::layer:
+      return "layer";
+    case hexahedrize::Rest::sectors:
+      return "sectors";
+  }
+  throw core::InternalError("a rest without a name");
+}
+
 std::string account_of(const hexahedrize::Hexahedrized& made) {
   switch (made.method) {
     case hexahedrize::Method::table:
       return "table entry " + made.code;
     case hexahedrize::Method::zones:
-      return fmt::format("{} zone by zone, the rest of {} quads filled by the table",
+      return fmt::format("{} zone by zone, the rest of {} quads filled by {}",
                          counted(made.peeling->peeled, "hexahedron", "hexahedra"),
-                         made.peeling->cavity);
+                         made.peeling->cavity, words_for(made.peeling->rest));
     case hexahedrize::Method::flips:
       return fmt::format("{} taken off in {} and by flips, the rest of {} quads filled by {}",
                          counted(made.peeling->peeled, "hexahedron", "hexahedra"),
                          counted(made.peeling->layers, "layer", "layers"), made.peeling->cavity,
-                         made.peeling->by_table ? "the table" : "sectors");
+                         words_for(made.peeling->rest));
     case hexahedrize::Method::construction:
       return "by the linear construction";
   }
@@ -93,7 +105,7 @@ std::string json_line(const MeshHexAccount& account, const quality::Report& repo
     json["peeled"] = made.peeling->peeled;
     json["layers"] = made.peeling->layers;
     json["cavity_quads"] = made.peeling->cavity;
-    json["cavity_filled_by"] = made.peeling->by_table ? "table" : "sectors";
+    json["cavity_filled_by"] = name_of(made.peeling->rest);
   }
   json["table_entry"] = nullptr;
   if (!made.code.empty()) json["table_entry"] = made.code;

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "cli/output.hpp"
+#include "enum/core/errors.hpp"
 
 namespace hexatlas::cli {
 namespace {
@@ -30,7 +31,7 @@ void add_method(Account& account, const hexahedrize::Hexahedrized& made, std::si
     account.add("hexahedra taken off", made.peeling->peeled);
     account.add("layers among them", made.peeling->layers);
     account.add("quads of the rest", made.peeling->cavity);
-    account.add("the rest filled by", made.peeling->by_table ? "the table" : "sectors");
+    account.add("the rest filled by", words_for(made.peeling->rest));
   } else {
     account.add("method", "linear construction by sectors");
   }
@@ -58,6 +59,18 @@ Account what_was_done(const MeshHexOptions& options, const hexahedrize::Hexahedr
 }
 
 }  // namespace
+
+const char* words_for(hexahedrize::Rest rest) {
+  switch (rest) {
+    case hexahedrize::Rest::table:
+      return "the table";
+    case hexahedrize::Rest::layer:
+      return "one layer";
+    case hexahedrize::Rest::sectors:
+      return "sectors";
+  }
+  throw core::InternalError("a rest without words");
+}
 
 double per_quad(std::size_t hexahedra, std::size_t quads) {
   return static_cast<double>(hexahedra) / static_cast<double>(quads);

@@ -25,6 +25,9 @@ struct MeshHexAccount {
   const std::optional<quality::SelfMeeting>& meeting;  ///< among the notes as well
 };
 
+/// What filled the rest, after "filled by".
+[[nodiscard]] const char* words_for(hexahedrize::Rest rest);
+
 [[nodiscard]] double per_quad(std::size_t hexahedra, std::size_t quads);
 
 /// Requires a verdict that is accepted or undecided.

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <optional>
+#include <unordered_map>
 
 namespace hexatlas::flips {
 namespace {
@@ -17,9 +18,9 @@ class Layer {
     for (const std::uint32_t q : quads) covered_.add(q);
   }
 
-  bool take() {
+  std::optional<std::vector<std::uint32_t>> take() {
     find_rim();
-    std::size_t taken = 0;
+    std::unordered_map<std::uint32_t, std::uint32_t> top_of;
     while (!open_.empty()) {
       const std::uint32_t quad = open_.front();
       open_.pop_front();
@@ -32,13 +33,17 @@ class Layer {
         touched_.add(prism.bottom[i]);
         open_.push_back(peeling_.twin(4 * quad + i) / 4);
       }
+      top_of.emplace(quad, peeling_.quad_numbers());
       peeling_.take(*patch, prism);
-      ++taken;
       is_begun_ = true;
     }
-    if (taken == quads_.size()) return true;
-    for (; taken > 0; --taken) peeling_.put_back();
-    return false;
+    if (top_of.size() < quads_.size()) {
+      for (std::size_t i = 0; i < top_of.size(); ++i) peeling_.put_back();
+      return std::nullopt;
+    }
+    std::vector<std::uint32_t> tops;
+    for (const std::uint32_t q : quads_) tops.push_back(top_of.at(q));
+    return tops;
   }
 
  private:
@@ -80,7 +85,8 @@ class Layer {
 
 }  // namespace
 
-bool take_layer(Peeling& peeling, std::span<const std::uint32_t> quads) {
+std::optional<std::vector<std::uint32_t>> take_layer(Peeling& peeling,
+                                                     std::span<const std::uint32_t> quads) {
   return Layer(peeling, quads).take();
 }
 

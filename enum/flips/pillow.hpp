@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,9 +34,11 @@ class Marks {
 /// Takes a layer off, flip by flip. Below a disc it is joined at the rim to the quads outside,
 /// which it takes away; so these are a ring around the disc, a zone (reducing.hpp), or it fails.
 /// Below all quads it leaves a cavity whose quads are joined to each other as before, on new
-/// vertices, and nothing relates these but the quads themselves. Says whether it was done; if the
-/// strict rule forbids a flip, nothing is changed. Requires different live quads, all, or those of
-/// a disc. Cost: linear in the quads.
-bool take_layer(Peeling& peeling, std::span<const std::uint32_t> quads);
+/// vertices, and nothing relates these but the quads themselves. Gives the quads that have come up,
+/// in the order of those given, side below side; nullopt if the strict rule forbids a flip: then
+/// nothing is changed. Requires different live quads, all, or those of a disc. Cost: linear in the
+/// quads.
+std::optional<std::vector<std::uint32_t>> take_layer(Peeling& peeling,
+                                                     std::span<const std::uint32_t> quads);
 
 }  // namespace hexatlas::flips

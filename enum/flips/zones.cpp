@@ -1,48 +1,15 @@
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "enum/flips/pillow.hpp"
 #include "enum/flips/reducing.hpp"
+#include "enum/flips/zone.hpp"
 
 namespace hexatlas::flips {
 namespace {
 
 using Dart = Peeling::Dart;
-
-/// The darts at which a curve comes into the quads of its zone, in order.
-using Zone = std::vector<Dart>;
-
-Zone zone_from(const Peeling& peeling, Dart start) {
-  Zone zone;
-  Dart at = start;
-  do {
-    zone.push_back(at);
-    at = peeling.twin(Peeling::opposite(at));
-  } while (at != start);
-  return zone;
-}
-
-/// Calls visit(zone) for each zone once.
-template <class Visit>
-void for_each_zone(const Peeling& peeling, Visit&& visit) {
-  std::vector<std::array<bool, 2>> seen(peeling.quad_numbers(), {false, false});
-  for (const std::uint32_t q : peeling.live_quads())
-    for (Dart d = 4 * q; d < 4 * q + 2; ++d) {
-      if (seen[q][d % 2]) continue;
-      const Zone zone = zone_from(peeling, d);
-      for (const Dart at : zone) seen[at / 4][at % 2] = true;
-      visit(zone);
-    }
-}
-
-/// How many quads a zone crosses twice.
-std::size_t crossings_of(const Zone& zone, Marks& marks) {
-  marks.clear();
-  return static_cast<std::size_t>(
-      std::count_if(zone.begin(), zone.end(), [&](Dart d) { return !marks.add(d / 4); }));
-}
 
 class ZoneRemover {
  public:
@@ -84,16 +51,16 @@ class ZoneRemover {
   /// is complete.
   [[nodiscard]] std::vector<std::uint32_t> affordable_side(const Zone& zone) {
     if (crossings_of(zone, quad_marks_) > 0) return {};
-    struct Side {
+    struct Grown {
       std::vector<std::uint32_t> quads;
       std::size_t seen = 0;
       [[nodiscard]] bool is_beyond(double most) const {
         return static_cast<double>(quads.size()) > most;
       }
     };
-    std::array<Side, 2> sides;
-    const auto reach = [&](Side& side, Dart rim) {
-      if (quad_marks_.add(rim / 4)) side.quads.push_back(rim / 4);
+    std::array<Grown, 2> sides;
+    const auto reach = [&](Grown& side, Dart first) {
+      if (quad_marks_.add(first / 4)) side.quads.push_back(first / 4);
     };
     for (const Dart d : zone) {
       reach(sides[0], peeling_.twin(Peeling::prev(d)));
@@ -101,7 +68,7 @@ class ZoneRemover {
     }
     const double most = price_ * static_cast<double>(zone.size());
     for (std::size_t turn = 0;; ++turn) {
-      Side& side = sides[turn % 2];
+      Grown& side = sides[turn % 2];
       if (side.is_beyond(most)) {
         if (sides[(turn + 1) % 2].is_beyond(most)) return {};
         continue;
@@ -112,14 +79,13 @@ class ZoneRemover {
     }
   }
 
-  /// Layers taken off since took some of its quads away, but left the curve. A zone given up for
-  /// that would let one be removed that encloses it, at the price of more hexahedra.
+  /// A zone given up for what layers took away since would let one be removed that encloses it, at
+  /// the price of more hexahedra.
   bool remove(const Zone& former) {
-    const auto start = std::find_if(former.begin(), former.end(),
-                                    [this](Dart d) { return peeling_.is_live(d / 4); });
-    if (start == former.end()) return false;
-    const std::vector<std::uint32_t> quads = affordable_side(zone_from(peeling_, *start));
-    return !quads.empty() && take_layer(peeling_, quads);
+    const Zone zone = what_is_left_of(former, peeling_);
+    if (zone.empty()) return false;
+    const std::vector<std::uint32_t> quads = affordable_side(zone);
+    return !quads.empty() && take_layer(peeling_, quads).has_value();
   }
 
   Peeling& peeling_;

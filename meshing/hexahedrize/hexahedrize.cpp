@@ -131,36 +131,63 @@ Hexahedrized by_flips(const QuadSphere& sphere, const mesh::SurfaceMesh& surface
                       const Means& means, const Placing& placing) {
   const PeeledMesh peeled = mesh_by_peeling(sphere, means.table, means.sectors, means.peeling);
   Hexahedrized made = with_account(peeled, Method::flips, sphere, surface, placing);
-  if (!peeled.account.by_table)
+  if (peeled.account.rest == Rest::sectors)
     made.construction = account_of(peeled.used, peeled.account.cavity, means.sectors);
   return made;
 }
 
-std::size_t not_valid(const Hexahedrized& made) {
-  const quality::Report report = quality::report(made.mesh);
-  return report.cells - report.valid;
+/// A mesh and how many of its hexahedra are not proven valid.
+struct Judged {
+  explicit Judged(Hexahedrized of) : made(std::move(of)) {
+    const quality::Report report = quality::report(made.mesh);
+    not_valid = report.cells - report.valid;
+  }
+  Hexahedrized made;
+  std::size_t not_valid = 0;
+};
+
+void keep_better(std::optional<Judged>& best, Hexahedrized other) {
+  Judged judged(std::move(other));
+  if (!best || judged.not_valid < best->not_valid) best = std::move(judged);
 }
 
-/// By the first of the methods allowed that can; where zones leave hexahedra that are not valid, by
-/// flips if these leave fewer. Zones of a body with a gap go through the gap.
+/// Sharp zones first. Others, which go by their number of hexahedra, where these leave hexahedra
+/// that are not valid: zones of a body with a gap go through the gap.
+void by_zones(std::optional<Judged>& best, const QuadSphere& sphere,
+              const mesh::SurfaceMesh& surface, const Means& means, const Placing& placing) {
+  std::vector<Point> points;
+  for (const mesh::Index p : sphere.point_of) points.push_back(surface.points[p]);
+  const auto keep = [&](const std::optional<PeeledMesh>& peeled) {
+    if (peeled) keep_better(best, with_account(*peeled, Method::zones, sphere, surface, placing));
+  };
+  keep(mesh_by_sharp_zones(sphere, points, *means.table, means.peeling));
+  if (!best || best->not_valid > 0) keep(mesh_by_zones(sphere, *means.table, means.peeling));
+}
+
+/// By the first of the methods allowed that can; where hexahedra are not valid then, by zones if
+/// these leave fewer, and what the table lacks by flips if these leave fewer still.
 std::variant<Hexahedrized, Impossible, NotInTable> meshed(const QuadSphere& sphere,
                                                           const mesh::SurfaceMesh& surface,
                                                           const Means& means,
                                                           const Placing& placing) {
   const auto may = [&](Method method) { return !means.only || *means.only == method; };
+  const auto is_done = [&](const std::optional<Judged>& best) {
+    return best && (means.only || best->not_valid == 0);
+  };
   std::string code;
+  std::optional<Judged> best;
   if (may(Method::table))
-    if (auto made = by_table(sphere, surface, means.table, placing, code)) return *std::move(made);
-  std::optional<Hexahedrized> zones;
-  if (may(Method::zones) && means.table != nullptr)
-    if (const auto peeled = mesh_by_zones(sphere, *means.table, means.peeling))
-      zones = with_account(*peeled, Method::zones, sphere, surface, placing);
-  const std::size_t faults = zones ? not_valid(*zones) : 0;
-  if (zones && (means.only || faults == 0)) return *std::move(zones);
-  if (may(Method::flips)) {
+    if (auto made = by_table(sphere, surface, means.table, placing, code))
+      best.emplace(*std::move(made));
+  const bool is_in_table = best.has_value();
+  if (!is_done(best) && may(Method::zones) && means.table != nullptr)
+    by_zones(best, sphere, surface, means, placing);
+  if (!is_in_table && !is_done(best) && may(Method::flips)) {
     Hexahedrized flips = by_flips(sphere, surface, means, placing);
-    return zones && faults <= not_valid(flips) ? *std::move(zones) : std::move(flips);
+    if (!best) return flips;
+    keep_better(best, std::move(flips));
   }
+  if (best) return std::move(best->made);
   if (!may(Method::construction)) return NotInTable{sphere.quads.size(), code};
   const LinearMesh linear = mesh_by_sectors(sphere, means.sectors);
   Hexahedrized made = with_coordinates(linear.mesh, sphere, surface.points, placing);

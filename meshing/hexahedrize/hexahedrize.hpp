@@ -29,7 +29,7 @@ namespace hexatlas::hexahedrize {
 
 enum class Method : std::uint8_t {
   table,        ///< the table has this boundary
-  zones,        ///< zones removed until the rest is in the table
+  zones,        ///< zones removed until the rest is in the table, or one layer
   flips,        ///< peeled until the rest is in the table, or small enough for sectors
   construction  ///< by sectors
 };
@@ -38,8 +38,8 @@ enum class Method : std::uint8_t {
 struct Means {
   const format::Table* table = nullptr;
   std::span<const format::Sector> sectors{};
-  /// Else the first that can: the table, zones, flips; and flips also where zones leave hexahedra
-  /// that are not valid and flips leave fewer.
+  /// Else the first that can: the table, zones, flips; and where it leaves hexahedra that are not
+  /// valid, the next if that leaves fewer: zones after the table, flips after zones.
   std::optional<Method> only{};
   PeelOptions peeling{};
 };

@@ -12,7 +12,9 @@
 #include "enum/core/checks.hpp"
 #include "enum/flips/peeling.hpp"
 #include "enum/flips/pillow.hpp"
+#include "enum/flips/sharp_zones.hpp"
 #include "enum/parallel/parallel_for.hpp"
+#include "meshing/hexahedrize/angles.hpp"
 #include "meshing/hexahedrize/linear.hpp"
 #include "meshing/hexahedrize/small_form.hpp"
 #include "tables/fill/query.hpp"
@@ -42,7 +44,7 @@ struct Stage {
   std::size_t layers = 0;
 
   void take_layer() {
-    core::expects(flips::take_layer(peeling, peeling.live_quads()),
+    core::expects(flips::take_layer(peeling, peeling.live_quads()).has_value(),
                   "a layer below all quads is allowed");
     ++layers;
   }
@@ -80,6 +82,12 @@ Stage peeled(const QuadSphere& sphere, flips::ReducingOptions options, std::size
   return best;
 }
 
+/// Of a vertex of the peeling.
+VertexId label_in(const QuadSphere& cavity, VertexId v) {
+  return static_cast<VertexId>(std::lower_bound(cavity.point_of.begin(), cavity.point_of.end(), v) -
+                               cavity.point_of.begin());
+}
+
 /// The cavity as a sphere of its own; point_of are the vertices of the peeling.
 QuadSphere cavity_of(const Peeling& peeling) {
   QuadSphere result;
@@ -90,10 +98,7 @@ QuadSphere cavity_of(const Peeling& peeling) {
   result.point_of.erase(std::unique(result.point_of.begin(), result.point_of.end()),
                         result.point_of.end());
   for (auto& quad : result.quads)
-    for (VertexId& v : quad)
-      v = static_cast<VertexId>(
-          std::lower_bound(result.point_of.begin(), result.point_of.end(), v) -
-          result.point_of.begin());
+    for (VertexId& v : quad) v = label_in(result, v);
   return result;
 }
 
@@ -148,7 +153,7 @@ std::optional<PeeledMesh> joined_by_table(const Stage& stage, const format::Tabl
   const auto rest = from_table(stage.peeling, cavity, table, threads);
   if (!rest) return std::nullopt;
   PeeledMesh result = joined(stage, cavity, *rest);
-  result.account.by_table = true;
+  result.account.rest = Rest::table;
   return result;
 }
 
@@ -167,6 +172,31 @@ PeeledMesh completed(Stage stage, const format::Table* table,
   PeeledMesh result = joined(stage, cavity, linear.mesh);
   result.used = std::move(linear.used);
   return result;
+}
+
+/// The same with a rest that is one layer; nullopt if it is none, or a single hexahedron, which the
+/// table has.
+std::optional<PeeledMesh> joined_as_layer(const Stage& stage, const flips::Angles& angles) {
+  constexpr std::size_t kSingle = 6;
+  if (stage.peeling.quads() == kSingle) return std::nullopt;
+  auto hexahedra = flips::single_layer(stage.peeling, angles);
+  if (!hexahedra) return std::nullopt;
+  const QuadSphere cavity = cavity_of(stage.peeling);
+  complex::HexComplex rest{static_cast<VertexId>(cavity.vertices()), *std::move(hexahedra)};
+  for (complex::Hexahedron& cell : rest.hexahedra)
+    for (VertexId& v : cell) v = label_in(cavity, v);
+  if (complex::validate(rest) || !complex::has_boundary(rest, cavity.quads)) return std::nullopt;
+  PeeledMesh result = joined(stage, cavity, rest);
+  result.account.rest = Rest::layer;
+  return result;
+}
+
+/// With all zones that are left removed; nullopt if too much is left then.
+std::optional<PeeledMesh> completed_by_zones(Stage stage, const format::Table& table,
+                                             const PeelOptions& options) {
+  if (!is_small(flips::self_crossings(stage.peeling))) return std::nullopt;
+  flips::remove_zones(stage.peeling, std::numeric_limits<double>::infinity());
+  return joined_by_table(stage, table, options.threads);
 }
 
 std::size_t tries_for(std::size_t quads, const PeelOptions& options) {
@@ -197,10 +227,19 @@ std::vector<Stage> best_stages(const QuadSphere& sphere, const PeelOptions& opti
 
 std::optional<PeeledMesh> mesh_by_zones(const QuadSphere& sphere, const format::Table& table,
                                         const PeelOptions& options) {
+  return completed_by_zones({Peeling(sphere.quads, sphere.vertices()), 0}, table, options);
+}
+
+std::optional<PeeledMesh> mesh_by_sharp_zones(const QuadSphere& sphere,
+                                              std::span<const mesh::Point> points,
+                                              const format::Table& table,
+                                              const PeelOptions& options) {
   Stage stage{Peeling(sphere.quads, sphere.vertices()), 0};
-  if (!is_small(flips::self_crossings(stage.peeling))) return std::nullopt;
-  flips::remove_zones(stage.peeling, std::numeric_limits<double>::infinity());
-  return joined_by_table(stage, table, options.threads);
+  flips::Angles angles = interior_angles(stage.peeling, points);
+  const std::size_t removed = flips::remove_sharp_zones(stage.peeling, angles);
+  if (auto mesh = joined_as_layer(stage, angles)) return mesh;
+  if (removed == 0) return std::nullopt;
+  return completed_by_zones(std::move(stage), table, options);
 }
 
 PeeledMesh mesh_by_peeling(const QuadSphere& sphere, const format::Table* table,

@@ -13,6 +13,7 @@
 /// (experiments/2026-11-few-hexahedra). The linear construction ends what cannot be peeled.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "enum/complex/hex_complex.hpp"
 #include "enum/complex/quad_surface.hpp"
 #include "enum/flips/reducing.hpp"
+#include "meshing/mesh/mesh.hpp"
 #include "tables/format/sectors.hpp"
 #include "tables/format/table.hpp"
 
@@ -35,11 +37,18 @@ struct PeelOptions {
   int threads = 1;  ///< does not change the result
 };
 
+/// Where the hexahedra of what was left come from.
+enum class Rest : std::uint8_t {
+  table,   ///< an entry of the table
+  layer,   ///< it is a layer between two discs that are alike
+  sectors  ///< the linear construction
+};
+
 struct PeelAccount {
   std::size_t peeled = 0;  ///< hexahedra taken off, layers included
   std::size_t layers = 0;
   std::size_t cavity = 0;  ///< quads of what was left
-  bool by_table = false;   ///< the rest comes from an entry of the table, else from sectors
+  Rest rest = Rest::sectors;
 };
 
 /// Vertices 0 .. sphere.vertices()-1 are those of the sphere. The hexahedra taken off come first,
@@ -63,5 +72,14 @@ struct PeeledMesh {
 [[nodiscard]] std::optional<PeeledMesh> mesh_by_zones(const complex::QuadSphere& sphere,
                                                       const format::Table& table,
                                                       const PeelOptions& options = {});
+
+/// The same with sharp zones first (enum/flips/sharp_zones.hpp), and what is left as one layer if
+/// it is one: so a body that is swept, or a stack of such bodies, gets hexahedra in layers,
+/// whatever quads there are at its ends. nullopt also if no zone is sharp. Requires a point for
+/// each vertex of the sphere.
+[[nodiscard]] std::optional<PeeledMesh> mesh_by_sharp_zones(const complex::QuadSphere& sphere,
+                                                            std::span<const mesh::Point> points,
+                                                            const format::Table& table,
+                                                            const PeelOptions& options = {});
 
 }  // namespace hexatlas::hexahedrize

@@ -175,7 +175,7 @@ Points improved(const Task& task, const FirstPlaces& start, Work& work) {
   if (!start.keeps_spacing) return points;
   Placement placed = judged(std::move(points), task.cells, work.threads());
   const bool is_worth_it = placed.not_valid == 0 && placed.least > start.least + kWorthTheSpacing;
-  return is_worth_it ? std::move(placed.points) : start.points;
+  return is_worth_it ? placed.points : start.points;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Claim. `mesh hex` gives the surface of a block its structured mesh, by zones; what zones leave too much of is refused
+"""Claim. `mesh hex` gives the surface of a block its structured mesh, by zones, and that of a shaft its layers; what zones leave too much of is refused
 by `--method zones` in a sentence, and meshed by flips; `--layers` puts layers below all of the surface. The judge
 accepts all of it, the account is true, and the bytes are the same for any number of threads and any formats read.
 Oracle. `hexatlas check`, which shares no code with the mesher; counts of a block by formula; hex_files.py.
@@ -57,6 +57,32 @@ class Zones(MeshTest):
         self.assertIn("\n26 hexahedra zone by zone, the rest of 6 quads filled by the table; "
                       "0.50 hexahedra per quad\n", ran.out)
 
+    def test_shafts(self):
+        for core, *steps in program.share_of(((1, (1, 1)), (1, (1, 3)), (2, (3, 4)), (2, (2, 2), (1, 3)),
+                                              (3, (1, 2), (3, 2), (2, 1)))):
+            with self.subTest(core=core, steps=steps):
+                surface, of_layers = surfaces.shaft(core, *steps)
+                said = self.mesh_and_judge(surface, "out.vtk")
+                self.assertEqual((said["method"], said["cavity_filled_by"]), ("zones", "layer"))
+                self.assertEqual(said["hexahedra"], sum(of_layers))
+                self.assertEqual(said["valid"], said["hexahedra"])
+                self.assertGreater(said["min_scaled_jacobian"], 0.5)
+
+    def test_bodies_with_a_gap(self):
+        # Of which zones by their number of hexahedra alone go through the gap.
+        square = {(x, y, 0) for x in range(3) for y in range(3)}
+        for gap in ({(1, 1, 0), (1, 2, 0)}, {(1, 2, 0)}):
+            for method in ("auto", "zones"):
+                said = self.mesh_and_judge(surfaces.of_cubes(square - gap), "out.vtk", "--method", method)
+                self.assertEqual((said["method"], said["hexahedra"], said["valid"]),
+                                 ("zones", 9 - len(gap), 9 - len(gap)))
+
+    def test_words_for_one_layer(self):
+        surface, _ = surfaces.shaft(2, (1, 3))
+        ran = self.expect(0, self.mesh(surface))
+        self.assertIn("\n24 hexahedra zone by zone, the rest of 32 quads filled by one layer; 0.75 hexahedra per quad\n",
+                      ran.out)
+
     def test_where_zones_do_not_suffice(self):
         for surface in program.share_of((surfaces.trapezohedron(31), surfaces.random_surface(80, 5))):
             quads = len(surface[1])
@@ -91,12 +117,18 @@ class Flips(MeshTest):
         self.flip(surface, "flips.vtk", "--method", "flips")
         self.assertEqual(self.read("auto.vtk"), self.read("flips.vtk"))
 
-    def test_is_what_auto_takes_where_zones_go_through_a_gap(self):
-        surface = surfaces.of_cubes({(x, y, 0) for x in range(3) for y in range(3)} - {(1, 1, 0), (1, 2, 0)})
-        said = self.mesh_and_judge(surface, "out.vtk")
-        self.assertEqual((said["method"], said["hexahedra"], said["valid"]), ("flips", 7, 7))
-        zones = self.mesh_and_judge(surface, "out.vtk", "--method", "zones")
-        self.assertLess(zones["valid"], zones["hexahedra"])
+    def test_auto_takes_the_better_of_zones_and_flips(self):
+        taken = set()
+        for quads, seed in ((26, 2), (28, 0), (26, 5), (28, 2)):
+            surface = surfaces.random_surface(quads, seed)
+            not_valid = {}
+            for method in ("zones", "flips", "auto"):
+                said = self.mesh_and_judge(surface, f"{method}.vtk", "--method", method, "--effort", "0")
+                not_valid[method] = said["hexahedra"] - said["valid"]
+            better = "zones" if not_valid["zones"] <= not_valid["flips"] else "flips"
+            self.assertEqual((said["method"], self.read("auto.vtk")), (better, self.read(f"{better}.vtk")))
+            taken.add(better)
+        self.assertEqual(taken, {"zones", "flips"})
 
     def test_same_bytes_for_any_number_of_threads(self):
         surface = surfaces.random_surface(QUADS, 1)

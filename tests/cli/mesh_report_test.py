@@ -183,7 +183,7 @@ class OfSurfaces(Reports):
     def expect_peeled(self, page, said, method):
         expected = {"method": method, "hexahedra taken off": str(said["peeled"]),
                     "layers among them": str(said["layers"]), "quads of the rest": str(said["cavity_quads"]),
-                    "the rest filled by": {"table": "the table", "sectors": "sectors"}[said["cavity_filled_by"]]}
+                    "the rest filled by": {"table": "the table", "layer": "one layer", "sectors": "sectors"}[said["cavity_filled_by"]]}
         self.assertEqual({key: page.account.get(key) for key in expected}, expected)
         self.assertNotIn("table entry", page.account)
         self.assertEqual("proven bound for the rest" in page.account, said["cavity_filled_by"] == "sectors")

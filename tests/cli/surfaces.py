@@ -48,6 +48,43 @@ def grid_cube(n):
     return block(n, n, n)
 
 
+def shaft(core, *steps):
+    """Cylinders on each other, each of steps so many rings thick around a square of core x core quads, and so many
+    layers high; with the number of quads of each layer."""
+    corners = [(i, 0) for i in range(core)] + [(core, i) for i in range(core)]
+    corners += [(core - i, core) for i in range(core)] + [(0, core - i) for i in range(core)]
+    number, quads = {}, []
+
+    def point(ring, i, j, z):
+        x, y = 2 * i / core - 1, 2 * j / core - 1
+        scale = ring / math.hypot(x, y) if ring > 0 else 0.4
+        return number.setdefault((repr(scale * x), repr(scale * y), str(z)), len(number))
+
+    def at(ring, t, z):
+        return point(ring, *corners[t % len(corners)], z)
+
+    def end(inner, outer, z, is_top):
+        cells = []
+        if inner < 0:
+            cells = [[point(0, i + a, j + b, z) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                     for i in range(core) for j in range(core)]
+        for ring in range(max(inner, 0), outer):
+            cells += [[at(ring, t, z), at(ring + 1, t, z), at(ring + 1, t + 1, z), at(ring, t + 1, z)]
+                      for t in range(len(corners))]
+        quads.extend(cell if is_top else cell[::-1] for cell in cells)
+
+    before, z, of_layers = -1, 0, []
+    for rings, layers in steps:
+        end(min(before, rings), max(before, rings), z, before > rings)
+        for z in range(z + 1, z + 1 + layers):
+            quads += [[at(rings, t, z - 1), at(rings, t + 1, z - 1), at(rings, t + 1, z), at(rings, t, z)]
+                      for t in range(len(corners))]
+            of_layers.append(core * core + rings * len(corners))
+        before = rings
+    end(-1, before, z, True)
+    return (list(number), quads), of_layers
+
+
 def trapezohedron(k):
     """Two vertices of degree k and a zigzag around the equator: 2k quads."""
     def at(i, z):

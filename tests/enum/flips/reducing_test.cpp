@@ -81,7 +81,7 @@ TEST(Pillow, BelowAllQuadsLeavesTheSameCavityUnrelated) {
     const auto before = peeling.cavity();
     const std::size_t taken = peeling.taken().size();
     const std::uint32_t vertices = peeling.vertices();
-    ASSERT_TRUE(flips::take_layer(peeling, peeling.live_quads()));
+    ASSERT_TRUE(flips::take_layer(peeling, peeling.live_quads()).has_value());
     ASSERT_EQ(peeling.taken().size(), taken + before.size());
     support::expect_consistent(peeling);
     // Each hexahedron has a quad above and one below, which says what each vertex became.
@@ -129,7 +129,7 @@ TEST(Pillow, BelowTheEndOfABlockRemovesItsZone) {
     const QuadSphere sphere = support::block(cubes);
     Peeling peeling = peeling_of(sphere);
     const auto side = first_side(cubes);
-    ASSERT_TRUE(flips::take_layer(peeling, side));
+    ASSERT_TRUE(flips::take_layer(peeling, side).has_value());
     EXPECT_EQ(peeling.taken().size(), side.size());
     EXPECT_EQ(peeling.quads(), sphere.quads.size() - 2 * (cubes[1] + cubes[2]));
     EXPECT_EQ(peeling.vertices(), sphere.vertices() + (cubes[1] - 1) * (cubes[2] - 1));
@@ -142,7 +142,7 @@ TEST(Pillow, RefusedChangesNothing) {
   // Of a block one cube thick the other side would be met: forbidden at a corner, the first flip.
   Peeling thin = peeling_of(support::block({1, 4, 3}));
   const auto before = seen(thin);
-  EXPECT_FALSE(flips::take_layer(thin, first_side({1, 4, 3})));
+  EXPECT_FALSE(flips::take_layer(thin, first_side({1, 4, 3})).has_value());
   EXPECT_EQ(seen(thin), before);
   // Two quads of a grid: no disc whose surroundings are a zone. And all random sets that fail.
   support::Random random(79);

@@ -47,7 +47,7 @@ TEST(Peel, MeshesAllSmallQuadrangulations) {
       const auto made = expect_peeled(sphere, &table(), {.tries = 1});
       const auto direct = hexahedrize::mesh_by_zones(sphere, table());
       if (direct) expect_accepted(direct->mesh, sphere);
-      EXPECT_TRUE(made.account.by_table);
+      EXPECT_EQ(made.account.rest, hexahedrize::Rest::table);
       expect_peeled(sphere, nullptr, {.tries = 1});
     }
 }
@@ -72,7 +72,7 @@ TEST(Peel, IsCompletedBySectorsWithoutATable) {
     for (std::uint64_t seed = 0; seed < 16; ++seed) {
       const auto sphere = support::random_sphere(24 + 8 * seed, 100 + seed, inserted);
       const auto made = expect_peeled(sphere, nullptr, {.tries = 2});
-      EXPECT_FALSE(made.account.by_table);
+      EXPECT_EQ(made.account.rest, hexahedrize::Rest::sectors);
       for (const std::size_t times : made.used) sectors_used += times > 0 ? 1 : 0;
     }
   EXPECT_GT(sectors_used, 48U) << "where scars forbid one sector, another one is taken";
@@ -161,7 +161,7 @@ TEST(Zones, GiveBlocksTheirStructuredMesh) {
     ASSERT_TRUE(made) << cubes[0] << ' ' << cubes[1] << ' ' << cubes[2];
     expect_accepted(made->mesh, sphere);
     expect_true_account(*made, sphere);
-    EXPECT_TRUE(made->account.by_table);
+    EXPECT_EQ(made->account.rest, hexahedrize::Rest::table);
     EXPECT_EQ(made->account.layers, 0U);
     expect_grid(made->mesh, cubes);
   }

@@ -41,7 +41,7 @@ inline void expect_true_account(const PeeledMesh& made, const QuadSphere& sphere
   const std::size_t rest = made.mesh.hexahedra.size() - account.peeled;
   EXPECT_GE(account.cavity, 6U);
   EXPECT_EQ(account.cavity % 2, 0U);
-  if (account.by_table) {
+  if (account.rest == hexahedrize::Rest::table) {
     EXPECT_TRUE(made.used.empty());
     EXPECT_GE(rest, 1U);
   } else {

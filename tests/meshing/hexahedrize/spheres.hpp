@@ -201,4 +201,47 @@ inline complex::QuadSphere trapezohedron(VertexId k) {
   return sphere_of(quads);
 }
 
+/// The surface of a disc swept upwards: the disc is a sphere without its first quad, whose four
+/// sides become walls. Vertices of level 0 are those of the sphere; the quads at the bottom come
+/// first, then those at the top.
+class Tower {
+ public:
+  Tower(const complex::QuadSphere& end, VertexId height)
+      : end_(end.quads.begin() + 1, end.quads.end()),
+        corner_(end.quads.front()),
+        vertices_(static_cast<VertexId>(end.vertices())) {
+    std::vector<BoundaryQuad> quads;
+    for (auto [a, b, c, d] : end_) quads.push_back({a, d, c, b});
+    for (const auto& [a, b, c, d] : end_)
+      quads.push_back({at(a, height), at(b, height), at(c, height), at(d, height)});
+    for (VertexId z = 0; z < height; ++z)
+      for (std::size_t i = 0; i < 4; ++i) {
+        const VertexId a = corner_[i], b = corner_[(i + 1) % 4];
+        quads.push_back({at(a, z + 1), at(b, z + 1), at(b, z), at(a, z)});
+      }
+    sphere_ = sphere_of(quads, (height + 1) * std::size_t{vertices_});
+  }
+  [[nodiscard]] const complex::QuadSphere& sphere() const { return sphere_; }
+  [[nodiscard]] std::size_t quads_of_end() const { return end_.size(); }
+  [[nodiscard]] std::size_t vertices_of_end() const { return vertices_; }
+  /// Of a vertex of the sphere, whose labels leave out those that are inside.
+  [[nodiscard]] VertexId level(VertexId v) const { return sphere_.point_of[v] / vertices_; }
+  [[nodiscard]] VertexId below(VertexId v) const { return sphere_.point_of[v] % vertices_; }
+  [[nodiscard]] bool is_rim(std::uint32_t quad) const { return quad >= 2 * end_.size(); }
+  [[nodiscard]] std::size_t quads_at_corner(VertexId v) const {
+    std::size_t result = 0;
+    for (const BoundaryQuad& quad : end_)
+      for (const VertexId u : quad) result += u == v ? 1 : 0;
+    return result;
+  }
+
+ private:
+  [[nodiscard]] VertexId at(VertexId v, VertexId level) const { return level * vertices_ + v; }
+
+  std::vector<BoundaryQuad> end_;
+  BoundaryQuad corner_;
+  VertexId vertices_;
+  complex::QuadSphere sphere_;
+};
+
 }  // namespace hexatlas::support

@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// Zones below which a layer of hexahedra has a good shape, by the angles along the edges of a
+/// cavity.
+///
+/// A layer below a disc has a hexahedron below each quad of the disc. Where the disc ends that
+/// hexahedron also has a quad of the zone as a side; so the angle between the two is one of its
+/// own, and where the boundary is flat there, no places of its other vertices make it valid. So a
+/// zone is sharp if its disc ends in edges that are: M. Mueller-Hannemann, "Hexahedral mesh
+/// generation by successive dual cycle elimination", 1999, has such a condition.
+///
+/// Angles are interior ones in quarter turns: 1 at an edge of a cube, 2 where the boundary is flat,
+/// above 2 where it is reflex. They come from outside and decide nothing but what is tried.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "enum/complex/hex_complex.hpp"
+#include "enum/flips/peeling.hpp"
+
+namespace hexatlas::flips {
+
+/// At dart d the angle along its edge; darts that are twins have the same.
+using Angles = std::vector<float>;
+
+/// Removes sharp zones one after another, those first that cost the fewest hexahedra for each of
+/// their quads, until there is none. The angles of hexahedra, as far as those given tell, then lie
+/// between 14 and 166 degrees, at the rim of a disc between 36 and 144, and as long as possible
+/// between 63 and 117 there; what is left of the cavity has at least 45. Of the quads that come up
+/// the angles are those of the quads above them, less a quarter turn across the zone. Gives how
+/// many zones. Requires 4 * peeling.quad_numbers() angles, and leaves as many. Deterministic. Cost:
+/// that of remove_zones() at most.
+std::size_t remove_sharp_zones(Peeling& peeling, Angles& angles);
+
+/// The cavity as a layer: hexahedra between two discs that are alike, joined by a zone that does
+/// not cross itself and is sharp on both sides. If there are several, those with the fewest
+/// hexahedra. Right-handed, on the vertices of the peeling. nullopt if there is none, or what was
+/// taken off relates two vertices of a hexahedron that no quad does. Not promised: the strict rule
+/// among these hexahedra. Requires angles as above. Cost: linear for each zone.
+[[nodiscard]] std::optional<std::vector<complex::Hexahedron>> single_layer(const Peeling& peeling,
+                                                                           const Angles& angles);
+
+}  // namespace hexatlas::flips

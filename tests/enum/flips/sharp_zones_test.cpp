@@ -1,0 +1,139 @@
+// Claim. Of a swept body, whatever quads its ends have, remove_sharp_zones() takes all layers but
+// one, and single_layer() is the last one; of a block all but one cube. Where nothing is sharp
+// nothing is taken. Whatever the angles say, only what may be taken is taken, they stay the same at
+// twins, and a layer found fills the cavity. Oracle. Bodies by construction, layers by the levels
+// of their vertices; complex::validate() and the consistency of peelings.
+#include "enum/flips/sharp_zones.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "enum/complex/hex_complex.hpp"
+#include "enum/core/errors.hpp"
+#include "tests/enum/flips/peelings.hpp"
+#include "tests/enum/support.hpp"
+#include "tests/meshing/hexahedrize/spheres.hpp"
+
+namespace {
+
+using namespace hexatlas;
+using complex::Hexahedron;
+using complex::QuadSphere;
+using complex::VertexId;
+using flips::Angles;
+using flips::Peeling;
+using support::peeling_of;
+using support::Tower;
+
+Angles all(const Peeling& peeling, float angle) {
+  return Angles(4 * std::size_t{peeling.quad_numbers()}, angle);
+}
+
+/// Right where a wall begins, flat elsewhere; at the four corners as many right angles as the end
+/// has quads.
+Angles angles_of(const Tower& tower, const Peeling& peeling) {
+  Angles angles = all(peeling, 2);
+  for (Peeling::Dart d = 0; d < angles.size(); ++d) {
+    const VertexId a = peeling.origin(d), b = peeling.origin(Peeling::next(d));
+    if (tower.level(a) != tower.level(b))
+      angles[d] = static_cast<float>(tower.quads_at_corner(tower.below(a)));
+    else if (tower.is_rim(d / 4) != tower.is_rim(peeling.twin(d) / 4))
+      angles[d] = 1;
+  }
+  return angles;
+}
+
+void expect_same_at_twins(const Peeling& peeling, const Angles& angles) {
+  ASSERT_EQ(angles.size(), 4 * std::size_t{peeling.quad_numbers()});
+  for (const std::uint32_t q : peeling.live_quads())
+    for (Peeling::Dart d = 4 * q; d < 4 * q + 4; ++d) ASSERT_EQ(angles[d], angles[peeling.twin(d)]);
+}
+
+/// With the hexahedra of the cavity.
+complex::HexComplex whole(const Peeling& peeling, const std::vector<Hexahedron>& rest) {
+  complex::HexComplex mesh{peeling.vertices(), peeling.taken()};
+  mesh.hexahedra.insert(mesh.hexahedra.end(), rest.begin(), rest.end());
+  return mesh;
+}
+
+TEST(SharpZones, TakeTowersApart) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed)
+    for (const VertexId height : {1U, 2U, 5U}) {
+      const Tower tower(support::random_sphere(24 + 6 * seed, seed, 20 + seed % 3 * 30), height);
+      Peeling peeling = peeling_of(tower.sphere());
+      Angles angles = angles_of(tower, peeling);
+      EXPECT_EQ(flips::remove_sharp_zones(peeling, angles), height - 1);
+      EXPECT_EQ(peeling.taken().size(), (height - 1) * tower.quads_of_end());
+      support::expect_consistent(peeling);
+      expect_same_at_twins(peeling, angles);
+      const auto rest = flips::single_layer(peeling, angles);
+      ASSERT_TRUE(rest);
+      EXPECT_EQ(rest->size(), tower.quads_of_end());
+      const complex::HexComplex mesh = whole(peeling, *rest);
+      const auto fault = complex::validate(mesh);
+      EXPECT_FALSE(fault) << fault->reason;
+      EXPECT_TRUE(complex::has_boundary(mesh, tower.sphere().quads));
+      EXPECT_EQ(mesh.vertices, (height + 1) * tower.vertices_of_end());
+    }
+}
+
+TEST(SharpZones, TakeNothingWhereAllIsFlat) {
+  for (const QuadSphere& sphere : {support::block({3, 2, 4}), support::random_sphere(60, 5)})
+    for (const float angle : {0.1F, 2.0F, 3.0F}) {
+      Peeling peeling = peeling_of(sphere);
+      const auto before = support::seen(peeling);
+      Angles angles = all(peeling, angle);
+      EXPECT_EQ(flips::remove_sharp_zones(peeling, angles), 0U);
+      EXPECT_EQ(support::seen(peeling), before);
+      EXPECT_FALSE(flips::single_layer(peeling, angles));
+    }
+}
+
+TEST(SharpZones, OneHexahedronIsALayer) {
+  const Peeling peeling = peeling_of(support::grid_cube(1));
+  const auto rest = flips::single_layer(peeling, all(peeling, 1));
+  ASSERT_TRUE(rest);
+  ASSERT_EQ(rest->size(), 1U);
+  EXPECT_FALSE(complex::validate(whole(peeling, *rest)));
+}
+
+TEST(SharpZones, AnglesDecideOnlyWhatIsTried) {
+  support::Random random(89);
+  std::size_t removed = 0, layers = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const QuadSphere sphere = seed % 3 == 0   ? support::block({4, 3, 2})
+                              : seed % 3 == 1 ? Tower(support::random_sphere(30, seed), 3).sphere()
+                                              : support::random_sphere(40, seed, 80);
+    Peeling peeling = peeling_of(sphere);
+    Angles angles = all(peeling, 0);
+    for (Peeling::Dart d = 0; d < angles.size(); ++d)
+      angles[d] = angles[peeling.twin(d)] =
+          1.5F + 0.03F * static_cast<float>(random.below(seed % 2 == 0 ? 3 : 5));
+    removed += flips::remove_sharp_zones(peeling, angles);
+    support::expect_consistent(peeling);
+    expect_same_at_twins(peeling, angles);
+    if (const auto rest = flips::single_layer(peeling, angles)) {
+      ++layers;
+      const complex::HexComplex mesh = whole(peeling, *rest);
+      EXPECT_TRUE(complex::has_boundary(mesh, sphere.quads));
+      if (const auto fault = complex::validate({mesh.vertices, *rest});
+          !fault || fault->reason.find("in no hexahedron") != std::string::npos) {
+        EXPECT_FALSE(complex::validate(mesh));
+      }
+    }
+  }
+  EXPECT_GT(removed, 20U);
+  EXPECT_GT(layers, 5U);
+}
+
+TEST(SharpZones, WantAnAngleForEachSide) {
+  Peeling peeling = peeling_of(support::grid_cube(2));
+  Angles few(5, 1);
+  EXPECT_THROW(flips::remove_sharp_zones(peeling, few), core::PreconditionViolated);
+  EXPECT_THROW((void)flips::single_layer(peeling, few), core::PreconditionViolated);
+}
+
+}  // namespace

@@ -1,0 +1,137 @@
+// Claim. interior_angles() are those of blocks, of an L and of prisms, at any place and scale.
+// mesh_by_sharp_zones() gives a swept body its layers, and the judge accepts the mesh; it says
+// nothing of a body without sharp edges. Oracle. Angles by hand; bodies by construction.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "meshing/hexahedrize/angles.hpp"
+#include "tests/meshing/hexahedrize/peeled.hpp"
+
+namespace {
+
+using namespace hexatlas;
+using complex::BoundaryQuad;
+using complex::QuadSphere;
+using complex::VertexId;
+using flips::Peeling;
+using mesh::Point;
+using support::table;
+
+struct Body {
+  QuadSphere sphere;
+  std::vector<Point> points;  ///< of its vertices
+
+  /// Of the points given, those of vertices of the sphere.
+  Body(const std::vector<BoundaryQuad>& quads, const std::vector<Point>& of)
+      : sphere(support::sphere_of(quads, of.size())) {
+    for (const auto p : sphere.point_of) points.push_back(of[p]);
+  }
+};
+
+/// A polygon of 2n corners around an axis, with n quads that meet in its middle at either end.
+Body prism(VertexId n, VertexId height) {
+  const VertexId ring = 2 * n, level = ring + 1;
+  std::vector<Point> points;
+  for (VertexId z = 0; z <= height; ++z) {
+    for (VertexId i = 0; i < ring; ++i) {
+      const double angle = std::numbers::pi * i / n;
+      points.push_back({std::cos(angle), std::sin(angle), static_cast<double>(z)});
+    }
+    points.push_back({0, 0, static_cast<double>(z)});
+  }
+  std::vector<BoundaryQuad> quads;
+  const auto at = [&](VertexId z, VertexId i) { return z * level + i % ring; };
+  for (VertexId i = 0; i < ring; i += 2) {
+    quads.push_back({ring, at(0, i + 2), at(0, i + 1), at(0, i)});
+    quads.push_back({height * level + ring, at(height, i), at(height, i + 1), at(height, i + 2)});
+  }
+  for (VertexId z = 0; z < height; ++z)
+    for (VertexId i = 0; i < ring; ++i)
+      quads.push_back({at(z, i), at(z, i + 1), at(z + 1, i + 1), at(z + 1, i)});
+  return {quads, points};
+}
+
+/// Three cubes in an L.
+Body ell() {
+  std::vector<Point> points;
+  for (const double z : {0.0, 1.0})
+    for (const auto& [x, y] :
+         {std::pair{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}})
+      points.push_back({static_cast<double>(x), static_cast<double>(y), z});
+  std::vector<BoundaryQuad> quads{{0, 7, 4, 1}, {1, 4, 3, 2}, {7, 6, 5, 4}};
+  for (const BoundaryQuad& quad : std::vector<BoundaryQuad>(quads)) {
+    const auto& [a, b, c, d] = quad;
+    quads.push_back({a + 8, d + 8, c + 8, b + 8});
+  }
+  for (VertexId i = 0; i < 8; ++i) quads.push_back({i, (i + 1) % 8, 8 + (i + 1) % 8, 8 + i});
+  return {quads, points};
+}
+
+/// How often each angle occurs, in degrees.
+std::map<long, std::size_t> angles_of(const Body& body) {
+  const Peeling peeling(body.sphere.quads, body.sphere.vertices());
+  std::map<long, std::size_t> count;
+  for (const float angle : hexahedrize::interior_angles(peeling, body.points))
+    ++count[std::lround(90 * angle)];
+  return count;
+}
+
+/// Turned about two axes, stretched, and moved.
+void move(std::vector<Point>& points, double scale, double away) {
+  for (Point& p : points) {
+    const double c = 0.6, s = 0.8;
+    p = {c * p.x - s * p.y, s * p.x + c * p.y, p.z};
+    p = {p.x, c * p.y - s * p.z, s * p.y + c * p.z};
+    p = {scale * (p.x + away), scale * (p.y - away), scale * p.z};
+  }
+}
+
+using Degrees = std::map<long, std::size_t>;
+
+TEST(Angles, AreThoseOfBodies) {
+  // Each edge from both sides.
+  for (const double scale : {1.0, 1e-280, 1e280})
+    for (const double away : {0.0, 100.0}) {
+      Body body = ell();
+      move(body.points, scale, away);
+      EXPECT_EQ(angles_of(body), (Degrees{{90, 42}, {180, 12}, {270, 2}}));
+      Body six = prism(3, 2);
+      move(six.points, scale, away);
+      EXPECT_EQ(angles_of(six), (Degrees{{90, 24}, {120, 24}, {180, 24}}));
+    }
+}
+
+TEST(Angles, CountAsFlatWhereThereAreNone) {
+  Body body = ell();
+  for (Point& p : body.points) p = {1, 2, 3};
+  EXPECT_EQ(angles_of(body), (Degrees{{180, 56}}));
+}
+
+TEST(SharpZones, GiveSweptBodiesTheirLayers) {
+  for (const VertexId n : {3U, 7U, 8U})
+    for (const VertexId height : {1U, 2U, 7U}) {
+      const Body body = prism(n, height);
+      const auto made = hexahedrize::mesh_by_sharp_zones(body.sphere, body.points, table());
+      ASSERT_TRUE(made);
+      support::expect_accepted(made->mesh, body.sphere);
+      EXPECT_EQ(made->mesh.hexahedra.size(), n * height);
+      EXPECT_EQ(made->mesh.vertices, (2 * n + 1) * (height + 1));
+      EXPECT_EQ(made->account.rest, hexahedrize::Rest::layer);
+      EXPECT_EQ(made->account.cavity, 4 * n);
+      EXPECT_EQ(made->account.peeled, n * (height - 1));
+    }
+}
+
+TEST(SharpZones, SayNothingOfABodyWithout) {
+  Body body = prism(3, 4);
+  // All in one plane: each edge is flat, or has no angle.
+  for (Point& p : body.points) p.z = 0;
+  EXPECT_FALSE(hexahedrize::mesh_by_sharp_zones(body.sphere, body.points, table()));
+}
+
+}  // namespace
