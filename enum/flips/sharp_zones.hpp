@@ -33,12 +33,20 @@ using Angles = std::vector<float>;
 /// that of remove_zones() at most.
 std::size_t remove_sharp_zones(Peeling& peeling, Angles& angles);
 
-/// The cavity as a layer: hexahedra between two discs that are alike, joined by a zone that does
-/// not cross itself and is sharp on both sides. If there are several, those with the fewest
-/// hexahedra. Right-handed, on the vertices of the peeling. nullopt if there is none, or what was
-/// taken off relates two vertices of a hexahedron that no quad does. Not promised: the strict rule
-/// among these hexahedra. Requires angles as above. Cost: linear for each zone.
+/// The cavity as a layer: hexahedra between two discs that are alike, by their quads and, where
+/// they bend, by their angles, joined by a zone that does not cross itself and is sharp on both
+/// sides. If there are several, those with the fewest hexahedra. Right-handed, on the vertices of
+/// the peeling. nullopt if there is none, or what was taken off relates two vertices of a
+/// hexahedron that no quad does. Not promised: the strict rule among these hexahedra. Requires
+/// angles as above. Cost: linear for each zone.
 [[nodiscard]] std::optional<std::vector<complex::Hexahedron>> single_layer(const Peeling& peeling,
                                                                            const Angles& angles);
+
+/// Takes off an *overhang*: hexahedra between two pieces of the boundary that are alike, flat, and
+/// joined by a zone as above, up to where one of them bends inwards; as the rim of a plate on a
+/// neck. What comes up are walls, with a quarter turn less at either end, and among each other what
+/// the hexahedra there leave of a full turn. Says whether there was one. Angles as above. Cost:
+/// linear for each zone.
+bool take_overhang(Peeling& peeling, Angles& angles);
 
 }  // namespace hexatlas::flips

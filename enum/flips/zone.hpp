@@ -36,7 +36,7 @@ using Zone = std::vector<Peeling::Dart>;
   return start == former.end() ? Zone{} : zone_from(peeling, *start);
 }
 
-/// Calls visit(zone) for each zone once.
+/// Calls visit(zone) for each zone once; it must not change the peeling.
 template <class Visit>
 void for_each_zone(const Peeling& peeling, Visit&& visit) {
   std::vector<std::array<bool, 2>> seen(peeling.quad_numbers(), {false, false});

@@ -236,9 +236,11 @@ std::optional<PeeledMesh> mesh_by_sharp_zones(const QuadSphere& sphere,
                                               const PeelOptions& options) {
   Stage stage{Peeling(sphere.quads, sphere.vertices()), 0};
   flips::Angles angles = interior_angles(stage.peeling, points);
-  const std::size_t removed = flips::remove_sharp_zones(stage.peeling, angles);
-  if (auto mesh = joined_as_layer(stage, angles)) return mesh;
-  if (removed == 0) return std::nullopt;
+  do {
+    flips::remove_sharp_zones(stage.peeling, angles);
+    if (auto mesh = joined_as_layer(stage, angles)) return mesh;
+  } while (flips::take_overhang(stage.peeling, angles));
+  if (stage.peeling.taken().empty()) return std::nullopt;
   return completed_by_zones(std::move(stage), table, options);
 }
 

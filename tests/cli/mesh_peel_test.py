@@ -59,7 +59,7 @@ class Zones(MeshTest):
 
     def test_shafts(self):
         for core, *steps in program.share_of(((1, (1, 1)), (1, (1, 3)), (2, (3, 4)), (2, (2, 2), (1, 3)),
-                                              (3, (1, 2), (3, 2), (2, 1)))):
+                                              (3, (1, 2), (3, 2), (2, 1)), (2, (2, 1), (1, 2), (3, 1)))):
             with self.subTest(core=core, steps=steps):
                 surface, of_layers = surfaces.shaft(core, *steps)
                 said = self.mesh_and_judge(surface, "out.vtk")

@@ -1,8 +1,9 @@
 // Claim. Of a swept body, whatever quads its ends have, remove_sharp_zones() takes all layers but
-// one, and single_layer() is the last one; of a block all but one cube. Where nothing is sharp
-// nothing is taken. Whatever the angles say, only what may be taken is taken, they stay the same at
-// twins, and a layer found fills the cavity. Oracle. Bodies by construction, layers by the levels
-// of their vertices; complex::validate() and the consistency of peelings.
+// one, and single_layer() is the last one. take_overhang() takes a plate on a neck up to the neck,
+// or nothing. Where nothing is sharp nothing is taken. Whatever the angles say, only what may be
+// taken is taken, they stay the same at twins, and a layer found fills the cavity. Oracle. Bodies
+// by construction, layers by the levels of their vertices; complex::validate() and the consistency
+// of peelings.
 #include "enum/flips/sharp_zones.hpp"
 
 #include <gtest/gtest.h>
@@ -113,6 +114,7 @@ TEST(SharpZones, AnglesDecideOnlyWhatIsTried) {
       angles[d] = angles[peeling.twin(d)] =
           1.5F + 0.03F * static_cast<float>(random.below(seed % 2 == 0 ? 3 : 5));
     removed += flips::remove_sharp_zones(peeling, angles);
+    flips::take_overhang(peeling, angles);
     support::expect_consistent(peeling);
     expect_same_at_twins(peeling, angles);
     if (const auto rest = flips::single_layer(peeling, angles)) {
@@ -129,10 +131,71 @@ TEST(SharpZones, AnglesDecideOnlyWhatIsTried) {
   EXPECT_GT(layers, 5U);
 }
 
+/// The quads within so many steps of one, none of which touches the rim; empty if one would.
+std::vector<std::uint32_t> neck_of(const Tower& tower, const Peeling& peeling, std::uint32_t first,
+                                   std::size_t most) {
+  const auto is_inside = [&](std::uint32_t q) {
+    for (Peeling::Dart d = 4 * q; d < 4 * q + 4; ++d)
+      if (tower.is_corner(tower.below(peeling.origin(d)))) return false;
+    return true;
+  };
+  std::vector<std::uint32_t> neck{first};
+  for (std::size_t i = 0; i < neck.size() && neck.size() < most; ++i)
+    for (Peeling::Dart d = 4 * neck[i]; d < 4 * neck[i] + 4; ++d) {
+      const std::uint32_t q = peeling.twin(d) / 4;
+      if (std::find(neck.begin(), neck.end(), q) == neck.end()) neck.push_back(q);
+    }
+  if (!std::all_of(neck.begin(), neck.end(), is_inside)) neck.clear();
+  return neck;
+}
+
+TEST(SharpZones, OverhangsAreTakenUpToANeck) {
+  support::Random random(97);
+  std::size_t taken = 0, refused = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    const Tower tower(support::random_sphere(40 + seed, seed, 60), 1);
+    Peeling peeling = peeling_of(tower.sphere());
+    Angles angles = angles_of(tower, peeling);
+    const auto ends = static_cast<std::uint32_t>(tower.quads_of_end());
+    const auto neck = neck_of(tower, peeling, ends + static_cast<std::uint32_t>(random.below(ends)),
+                              1 + random.below(8));
+    const std::set<std::uint32_t> is_neck(neck.begin(), neck.end());
+    for (const std::uint32_t q : neck)
+      for (Peeling::Dart d = 4 * q; d < 4 * q + 4; ++d)
+        if (!is_neck.contains(peeling.twin(d) / 4)) angles[d] = angles[peeling.twin(d)] = 3;
+    const auto before = support::seen(peeling);
+    const Angles given = angles;
+    if (!flips::take_overhang(peeling, angles)) {
+      EXPECT_EQ(support::seen(peeling), before);
+      EXPECT_EQ(angles, given);
+      refused += neck.empty() ? 0 : 1;
+      continue;
+    }
+    ++taken;
+    support::expect_consistent(peeling);
+    expect_same_at_twins(peeling, angles);
+    // Each from the bottom to the top; what they leave is the neck, with walls around it.
+    EXPECT_EQ(peeling.taken().size(), ends - neck.size());
+    EXPECT_EQ(peeling.vertices(), before.vertices);
+    for (const Hexahedron& cell : peeling.taken()) {
+      std::multiset<VertexId> below;
+      for (const VertexId v : cell) below.insert(tower.below(v));
+      EXPECT_EQ(std::set(below.begin(), below.end()).size(), 4U);
+      for (const VertexId v : cell) EXPECT_EQ(below.count(tower.below(v)), 2U);
+    }
+    for (const std::uint32_t q : neck) EXPECT_TRUE(peeling.is_live(q) && peeling.is_live(q - ends));
+    for (const std::uint32_t q : peeling.live_quads())
+      for (Peeling::Dart d = 4 * q; d < 4 * q + 4; ++d) EXPECT_GE(angles[d], 0.5F);
+  }
+  EXPECT_GT(taken, 10U);
+  EXPECT_LT(refused, taken);
+}
+
 TEST(SharpZones, WantAnAngleForEachSide) {
   Peeling peeling = peeling_of(support::grid_cube(2));
   Angles few(5, 1);
   EXPECT_THROW(flips::remove_sharp_zones(peeling, few), core::PreconditionViolated);
+  EXPECT_THROW(flips::take_overhang(peeling, few), core::PreconditionViolated);
   EXPECT_THROW((void)flips::single_layer(peeling, few), core::PreconditionViolated);
 }
 

@@ -9,6 +9,7 @@
 /// quad and not consecutive around v, nor from the other side: then both halves have three edges or
 /// more, and between them lies a new quad v a w b.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -228,6 +229,9 @@ class Tower {
   [[nodiscard]] VertexId level(VertexId v) const { return sphere_.point_of[v] / vertices_; }
   [[nodiscard]] VertexId below(VertexId v) const { return sphere_.point_of[v] % vertices_; }
   [[nodiscard]] bool is_rim(std::uint32_t quad) const { return quad >= 2 * end_.size(); }
+  [[nodiscard]] bool is_corner(VertexId below) const {
+    return std::find(corner_.begin(), corner_.end(), below) != corner_.end();
+  }
   [[nodiscard]] std::size_t quads_at_corner(VertexId v) const {
     std::size_t result = 0;
     for (const BoundaryQuad& quad : end_)

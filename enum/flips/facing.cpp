@@ -1,0 +1,245 @@
+#include "enum/flips/facing.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <unordered_map>
+#include <utility>
+
+#include "enum/cells/cube.hpp"
+#include "enum/complex/pair_set.hpp"
+#include "enum/flips/pillow.hpp"
+
+namespace hexatlas::flips {
+namespace {
+
+using complex::Hexahedron;
+using complex::VertexId;
+using Dart = Peeling::Dart;
+
+/// Of a layer: where one side bends outwards the other bends inwards, by about as much.
+constexpr float kParallel = 1.2F;
+
+class Finder {
+ public:
+  Finder(const Peeling& peeling, const Zone& zone) : peeling_(peeling) {
+    for (const Dart in : zone) in_zone_.add(in / 4);
+  }
+
+  /// Whether two edges may face each other, and so the quads that they belong to.
+  bool meet(Dart a, Dart b) {
+    if (in_zone_.has(a / 4) || in_zone_.has(b / 4)) return a / 4 == b / 4;
+    if (a / 4 == b / 4) return false;
+    FacingQuads pair{a / 4, b};
+    pair.right_of_0 = pair.facing(4 - a % 4);
+    const auto [at, is_new] = facing_.try_emplace(pair.left, pair.right_of_0);
+    if (!is_new) return at->second == pair.right_of_0;
+    if (facing_.contains(b / 4) || !is_right_.add(b / 4) || is_right_.has(pair.left)) return false;
+    pairs_.push_back(pair);
+    return true;
+  }
+
+  [[nodiscard]] bool is_in_zone(Dart d) const { return in_zone_.has(peeling_.twin(d) / 4); }
+  [[nodiscard]] std::vector<FacingQuads>& pairs() { return pairs_; }
+
+ private:
+  const Peeling& peeling_;
+  Marks in_zone_, is_right_;
+  std::unordered_map<std::uint32_t, Dart> facing_;  ///< of quads on the left: right_of_0
+  std::vector<FacingQuads> pairs_;
+};
+
+std::vector<Hexahedron> hexahedra_between(const Peeling& peeling,
+                                          const std::vector<FacingQuads>& pairs) {
+  std::vector<Hexahedron> result;
+  for (const FacingQuads& pair : pairs) {
+    Hexahedron cell{};
+    for (unsigned i = 0; i < 4; ++i) {
+      cell[cells::kCornerOfPrism[i]] = peeling.origin(pair.side(i));
+      cell[cells::kCornerOfPrism[4 + i]] = peeling.origin(Peeling::next(pair.facing(i)));
+    }
+    result.push_back(cell);
+  }
+  return result;
+}
+
+/// Whether what was taken off relates no two vertices of a hexahedron but those of quads.
+bool fits(const Peeling& peeling, const std::vector<Hexahedron>& hexahedra) {
+  complex::PairSet in_quads;
+  for (const complex::BoundaryQuad& quad : peeling.cavity())
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t k = 0; k < i; ++k) in_quads.insert(quad[k], quad[i]);
+  for (const Hexahedron& cell : hexahedra)
+    for (std::size_t i = 0; i < 8; ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        const VertexId a = cell[k], b = cell[i];
+        if (a == b || (peeling.are_related(a, b) && !in_quads.has(a, b))) return false;
+      }
+  return true;
+}
+
+bool is_sharp_on_both_sides(const Zone& zone, const Angles& angles) {
+  return std::all_of(zone.begin(), zone.end(), [&](Dart in) {
+    return is_good(angles[rim(in, Side::left)], kSharpAtRim) &&
+           is_good(angles[rim(in, Side::right)], kSharpAtRim);
+  });
+}
+
+/// Takes off the hexahedra between quads that face each other, from a zone inwards; and what is
+/// known of the angles then. All or none.
+class Overhang {
+ public:
+  Overhang(Peeling& peeling, Angles& angles, const std::vector<FacingQuads>& pairs)
+      : peeling_(peeling), angles_(angles), pairs_(pairs) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) number_.emplace(pairs[i].left, i);
+  }
+
+  bool take() {
+    const Angles before = angles_;
+    const std::uint32_t first_wall = peeling_.quad_numbers();
+    std::deque<std::uint32_t> open;
+    for (const FacingQuads& pair : pairs_) open.push_back(pair.left);
+    std::size_t taken = 0;
+    while (!open.empty()) {
+      const auto found = number_.find(open.front());
+      open.pop_front();
+      if (found == number_.end() || !peeling_.is_live(found->first)) continue;
+      const FacingQuads& pair = pairs_[found->second];
+      std::vector<std::uint32_t> beside;
+      for (unsigned i = 0; i < 4; ++i) beside.push_back(peeling_.twin(pair.side(i)) / 4);
+      if (!take(pair)) continue;  // comes up again when one beside it is taken
+      ++taken;
+      open.insert(open.end(), beside.begin(), beside.end());
+    }
+    if (taken < pairs_.size()) {
+      for (; taken > 0; --taken) peeling_.put_back();
+      angles_ = before;
+      return false;
+    }
+    finish_walls(first_wall);
+    return true;
+  }
+
+ private:
+  /// The quad that is a side of the hexahedron already, if there is one.
+  [[nodiscard]] std::optional<std::uint32_t> wall(const FacingQuads& pair, unsigned i) const {
+    const Dart above = peeling_.twin(pair.side(i)), below = peeling_.twin(pair.facing(i));
+    if (Peeling::opposite(above) != below) return std::nullopt;
+    return above / 4;
+  }
+
+  /// From a wall that has none opposite, with all that is there.
+  [[nodiscard]] std::optional<Peeling::Patch> patch_of(const FacingQuads& pair) const {
+    std::vector<std::uint32_t> there{pair.left, pair.facing(0) / 4};
+    std::optional<std::uint32_t> bottom;
+    for (unsigned i = 0; i < 4; ++i) {
+      const auto here = wall(pair, i);
+      if (!here) continue;
+      there.push_back(*here);
+      if (!wall(pair, i + 2)) bottom = here;
+    }
+    if (!bottom) return std::nullopt;
+    Peeling::Patch patch{*bottom, 0};
+    for (unsigned i = 0; i < 4; ++i)
+      if (std::find(there.begin(), there.end(), peeling_.twin(4 * *bottom + i) / 4) != there.end())
+        patch.sides = static_cast<std::uint8_t>(patch.sides | 1U << i);
+    return patch;
+  }
+
+  bool take(const FacingQuads& pair) {
+    const auto patch = patch_of(pair);
+    Peeling::Prism prism;
+    if (!patch || !peeling_.may_take(*patch, prism)) return false;
+    std::vector<std::pair<Dart, float>> beyond;  // across sides without a wall, and the angle there
+    for (unsigned i = 0; i < 4; ++i) {
+      ++quads_at_[peeling_.origin(pair.side(i))];
+      ++quads_at_[peeling_.origin(pair.facing(i))];
+      if (wall(pair, i)) continue;
+      for (const Dart d : {pair.side(i), pair.facing(i)})
+        beyond.emplace_back(peeling_.twin(d), angles_[d] - 1);
+    }
+    peeling_.take(*patch, prism);
+    angles_.resize(4 * std::size_t{peeling_.quad_numbers()}, kUnknown);
+    for (const auto& [d, angle] : beyond) angles_[d] = angles_[peeling_.twin(d)] = angle;
+    return true;
+  }
+
+  /// Between two walls there is what the hexahedra at that edge have left of a full turn.
+  void finish_walls(std::uint32_t first_wall) {
+    for (Dart d = 4 * first_wall; d < angles_.size(); ++d)
+      if (peeling_.is_live(d / 4) && angles_[d] == kUnknown)
+        angles_[d] = angles_[peeling_.twin(d)] =
+            std::max(kLeastLeft, 4 - static_cast<float>(quads_at_[peeling_.origin(d)]));
+  }
+
+  static constexpr float kUnknown = -1;
+  Peeling& peeling_;
+  Angles& angles_;
+  const std::vector<FacingQuads>& pairs_;
+  std::unordered_map<std::uint32_t, std::size_t> number_;  ///< of pairs, by their left quads
+  std::unordered_map<VertexId, std::uint32_t> quads_at_;   ///< of pairs taken
+};
+
+}  // namespace
+
+std::optional<std::vector<FacingQuads>> facing_quads(
+    const Peeling& peeling, const Zone& zone, const std::function<Beyond(Dart, Dart)>& beyond) {
+  Finder finder(peeling, zone);
+  for (const Dart in : zone)
+    if (!finder.meet(peeling.twin(rim(in, Side::left)), peeling.twin(rim(in, Side::right))))
+      return std::nullopt;
+  for (std::size_t seen = 0; seen < finder.pairs().size();) {
+    const FacingQuads pair = finder.pairs()[seen++];
+    for (unsigned i = 0; i < 4; ++i) {
+      const Dart a = pair.side(i), b = pair.facing(i);
+      const bool goes_on = finder.is_in_zone(a) || finder.is_in_zone(b);
+      const Beyond what = goes_on ? Beyond::more : beyond(a, b);
+      if (what == Beyond::nothing) return std::nullopt;
+      if (what == Beyond::more && !finder.meet(peeling.twin(a), peeling.twin(b)))
+        return std::nullopt;
+    }
+  }
+  return std::move(finder.pairs());
+}
+
+std::optional<std::vector<Hexahedron>> single_layer(const Peeling& peeling, const Angles& angles) {
+  expect_one_each(peeling, angles);
+  std::optional<std::vector<Hexahedron>> best;
+  Marks marks;
+  for_each_zone(peeling, [&](const Zone& zone) {
+    const std::size_t hexahedra = (peeling.quads() - zone.size()) / 2;
+    if (best && best->size() <= hexahedra) return;
+    if (!is_sharp_on_both_sides(zone, angles) || crossings_of(zone, marks) > 0) return;
+    const auto pairs = facing_quads(peeling, zone, [&](Dart a, Dart b) {
+      const bool is_parallel = std::abs(angles[a] + angles[b] - 4) <= kParallel;
+      return is_parallel ? Beyond::more : Beyond::nothing;
+    });
+    if (!pairs || pairs->size() != hexahedra || 2 * hexahedra + zone.size() != peeling.quads())
+      return;
+    std::vector<Hexahedron> found = hexahedra_between(peeling, *pairs);
+    if (fits(peeling, found)) best = std::move(found);
+  });
+  return best;
+}
+
+bool take_overhang(Peeling& peeling, Angles& angles) {
+  expect_one_each(peeling, angles);
+  Marks marks;
+  std::vector<Zone> zones;
+  for_each_zone(peeling, [&](const Zone& zone) {
+    if (is_sharp_on_both_sides(zone, angles) && crossings_of(zone, marks) == 0)
+      zones.push_back(zone);
+  });
+  return std::any_of(zones.begin(), zones.end(), [&](const Zone& zone) {
+    bool has_end = false;
+    const auto pairs = facing_quads(peeling, zone, [&](Dart a, Dart b) {
+      if (is_good_fold(angles[a]) && is_good_fold(angles[b])) return Beyond::more;
+      if (std::min(angles[a], angles[b]) - 1 < kLeastLeft) return Beyond::nothing;
+      has_end = true;
+      return Beyond::end;
+    });
+    return pairs && has_end && Overhang(peeling, angles, *pairs).take();
+  });
+}
+
+}  // namespace hexatlas::flips
