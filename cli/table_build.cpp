@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/interrupt.hpp"
@@ -70,17 +73,26 @@ build::TableSearch::Origins origins_of(const format::Table& table) {
   return origins;
 }
 
+/// A table, or the bytes of a saved search.
+using TableOrSearch = std::variant<format::Table, std::string>;
+
+TableOrSearch read_start(const std::string& file) {
+  std::string bytes = core::read_file(file, core::kMaxStateBytes);
+  if (build::TableSearch::is_saved(bytes)) return bytes;
+  return format::Table::from_bytes(std::move(bytes), file);
+}
+
 /// A table that is begun with and replaced keeps each boundary.
 void expect_nothing_lost(const TableBuildOptions& options,
                          const std::vector<canon::Code>& targets) {
   for (const std::string& file : options.start_from) {
     if (!is_there(file) || !same_files({"", file}, {{"", options.output}})) continue;
-    std::string bytes = core::read_file(file, core::kMaxStateBytes);
-    if (build::TableSearch::is_saved(bytes)) continue;
-    const format::Table table = format::Table::from_bytes(std::move(bytes), file);
+    const TableOrSearch start = read_start(file);
+    const auto* table = std::get_if<format::Table>(&start);
+    if (table == nullptr) continue;
     std::size_t lost = 0;
-    for (std::size_t i = 0; i < table.size(); ++i)
-      lost += std::binary_search(targets.begin(), targets.end(), table.entry(i).code) ? 0 : 1;
+    for (std::size_t i = 0; i < table->size(); ++i)
+      lost += std::binary_search(targets.begin(), targets.end(), table->entry(i).code) ? 0 : 1;
     if (lost != 0)
       throw core::InvalidInput(
           file, fmt::format("has {} of other boundaries than this search is for, which would be "
@@ -96,13 +108,13 @@ build::TableSearch begin_with(const std::vector<std::string>& files,
   std::optional<build::TableSearch> search;
   std::vector<format::Table> tables;
   for (const std::string& file : files) {
-    std::string bytes = core::read_file(file, core::kMaxStateBytes);
-    if (!build::TableSearch::is_saved(bytes)) {
-      tables.push_back(format::Table::from_bytes(std::move(bytes), file));
+    TableOrSearch start = read_start(file);
+    if (auto* table = std::get_if<format::Table>(&start)) {
+      tables.push_back(std::move(*table));
       continue;
     }
     if (search) throw core::InvalidInput(file, "a second saved search; one can be begun with");
-    search = build::TableSearch::started_from(bytes, targets, options, file);
+    search = build::TableSearch::started_from(std::get<std::string>(start), targets, options, file);
   }
   if (!search) search.emplace(std::move(targets), options);
   for (const format::Table& table : tables)
@@ -221,9 +233,8 @@ void keep_known(const std::vector<std::string>& files, int threads,
   KnownRows known(rows, threads);
   for (const std::string& file : files) {
     if (!is_there(file)) continue;  // the search was saved since
-    std::string bytes = core::read_file(file, core::kMaxStateBytes);
-    if (build::TableSearch::is_saved(bytes)) continue;
-    known.keep(format::Table::from_bytes(std::move(bytes), file), found);
+    const TableOrSearch start = read_start(file);
+    if (const auto* table = std::get_if<format::Table>(&start)) known.keep(*table, found);
   }
 }
 
