@@ -217,8 +217,10 @@ void add_mesh(CLI::App& app, Action& action) {
          "leaves fewer hexahedra not valid")
       ->check(CLI::IsMember({"auto", "table", "zones", "flips", "construction"}))
       ->capture_default_str();
-  hex->add_option("--layers", options->layers,
-                  "Layers of hexahedra below the whole boundary, and flips after them")
+  hex->add_option(
+         "--layers", options->layers,
+         "Layers of hexahedra below the whole boundary first, for good shapes there; with zones "
+         "or flips")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
   hex->add_option("--tries", options->tries,

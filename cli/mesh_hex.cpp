@@ -73,8 +73,11 @@ std::string account_of(const hexahedrize::Hexahedrized& made) {
     case hexahedrize::Method::table:
       return "table entry " + made.code;
     case hexahedrize::Method::zones:
-      return fmt::format("{} zone by zone, the rest of {} quads filled by {}",
+      return fmt::format("{} {}zone by zone, the rest of {} quads filled by {}",
                          counted(made.peeling->peeled, "hexahedron", "hexahedra"),
+                         made.peeling->layers == 0
+                             ? ""
+                             : "in " + counted(made.peeling->layers, "layer", "layers") + " and ",
                          made.peeling->cavity, words_for(made.peeling->rest));
     case hexahedrize::Method::flips:
       return fmt::format("{} taken off in {} and by flips, the rest of {} quads filled by {}",
@@ -167,7 +170,6 @@ Sources sources_of(const MeshHexOptions& options, std::size_t quads) {
   Sources result;
   for (const Method method : {Method::table, Method::zones, Method::flips, Method::construction})
     if (options.method == name_of(method)) result.only = method;
-  if (options.layers > 0) result.only = Method::flips;
   if (result.only != Method::construction) result.table = table_for(options.table, quads);
   if (result.only != Method::table && result.only != Method::zones) {
     const std::string path = sectors_path(options.sectors);
@@ -181,8 +183,8 @@ Sources sources_of(const MeshHexOptions& options, std::size_t quads) {
 ExitCode mesh_hex(const MeshHexOptions& options) {
   const double start = seconds();
   if (!are_distinct(files_of(options), "INPUT", "mesh hex")) return ExitCode::usage;
-  if (options.layers > 0 && options.method != "auto" && options.method != "flips") {
-    say("--layers goes with --method flips only. See `hexatlas mesh hex --help`.");
+  if (options.layers > 0 && (options.method == "table" || options.method == "construction")) {
+    say("--layers goes with --method zones and flips only. See `hexatlas mesh hex --help`.");
     return ExitCode::usage;
   }
   expect_outputs_writable(files_of(options));

@@ -62,7 +62,7 @@ class SharpZones {
     const Zone zone = what_is_left_of(candidate.zone, peeling_);
     if (zone.empty()) return false;
     const std::vector<std::uint32_t> quads = sharp_disc(zone, candidate.side);
-    return !quads.empty() && take(quads);
+    return !quads.empty() && take_layer(peeling_, quads, angles_).has_value();
   }
 
   /// The quads of the disc on that side of a zone; empty if the zone is not sharp there.
@@ -107,34 +107,37 @@ class SharpZones {
     return is_good_there;
   }
 
-  /// Requires that disc_ holds them.
-  bool take(const std::vector<std::uint32_t>& quads) {
-    Angles below;
-    for (const std::uint32_t q : quads)
-      for (Dart d = 4 * q; d < 4 * q + 4; ++d) {
-        const Dart beyond = peeling_.twin(d);
-        below.push_back(disc_.has(beyond / 4) ? angles_[d]
-                                              : angles_[Peeling::opposite(beyond)] - 1);
-      }
-    const std::optional<std::vector<std::uint32_t>> tops = take_layer(peeling_, quads);
-    if (!tops) return false;
-    angles_.resize(4 * std::size_t{peeling_.quad_numbers()});
-    for (std::size_t i = 0; i < below.size(); ++i) {
-      const Dart d = 4 * (*tops)[i / 4] + static_cast<Dart>(i % 4);
-      angles_[d] = angles_[peeling_.twin(d)] = below[i];
-    }
-    return true;
-  }
-
   Peeling& peeling_;
   Angles& angles_;
   float within_ = kRightAtRim;        ///< at the rim, now
   Marks marks_;                       ///< quads of a zone, then of its disc, too
-  Marks disc_;                        ///< quads of the last sharp disc
+  Marks disc_;                        ///< quads of a disc
   std::vector<std::uint32_t> count_;  ///< quads of a disc at a vertex; 0 in between
 };
 
 }  // namespace
+
+std::optional<std::vector<std::uint32_t>> take_layer(Peeling& peeling,
+                                                     std::span<const std::uint32_t> quads,
+                                                     Angles& angles) {
+  expect_one_each(peeling, angles);
+  Marks covered;
+  for (const std::uint32_t q : quads) covered.add(q);
+  Angles below;
+  for (const std::uint32_t q : quads)
+    for (Dart d = 4 * q; d < 4 * q + 4; ++d) {
+      const Dart beyond = peeling.twin(d);
+      below.push_back(covered.has(beyond / 4) ? angles[d] : angles[Peeling::opposite(beyond)] - 1);
+    }
+  auto tops = take_layer(peeling, quads);
+  if (!tops) return std::nullopt;
+  angles.resize(4 * std::size_t{peeling.quad_numbers()});
+  for (std::size_t i = 0; i < below.size(); ++i) {
+    const Dart d = 4 * (*tops)[i / 4] + static_cast<Dart>(i % 4);
+    angles[d] = angles[peeling.twin(d)] = below[i];
+  }
+  return tops;
+}
 
 std::size_t remove_sharp_zones(Peeling& peeling, Angles& angles) {
   expect_one_each(peeling, angles);

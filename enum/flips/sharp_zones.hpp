@@ -13,7 +13,9 @@
 /// above 2 where it is reflex. They come from outside and decide nothing but what is tried.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "enum/complex/hex_complex.hpp"
@@ -24,13 +26,18 @@ namespace hexatlas::flips {
 /// At dart d the angle along its edge; darts that are twins have the same.
 using Angles = std::vector<float>;
 
+/// take_layer() of pillow.hpp with what is known of the angles afterwards: of the quads that come
+/// up those of the quads above them, less a quarter turn across the zone. Requires 4 *
+/// peeling.quad_numbers() angles, and leaves as many.
+std::optional<std::vector<std::uint32_t>> take_layer(Peeling& peeling,
+                                                     std::span<const std::uint32_t> quads,
+                                                     Angles& angles);
+
 /// Removes sharp zones one after another, those first that cost the fewest hexahedra for each of
 /// their quads, until there is none. The angles of hexahedra, as far as those given tell, then lie
 /// between 14 and 166 degrees, at the rim of a disc between 36 and 144, and as long as possible
-/// between 63 and 117 there; what is left of the cavity has at least 45. Of the quads that come up
-/// the angles are those of the quads above them, less a quarter turn across the zone. Gives how
-/// many zones. Requires 4 * peeling.quad_numbers() angles, and leaves as many. Deterministic. Cost:
-/// that of remove_zones() at most.
+/// between 63 and 117 there; what is left of the cavity has at least 45. Gives how
+/// many zones. Angles as for take_layer(). Deterministic. Cost: that of remove_zones() at most.
 std::size_t remove_sharp_zones(Peeling& peeling, Angles& angles);
 
 /// The cavity as a layer: hexahedra between two discs that are alike, by their quads and, where

@@ -136,32 +136,54 @@ Hexahedrized by_flips(const QuadSphere& sphere, const mesh::SurfaceMesh& surface
   return made;
 }
 
-/// A mesh and how many of its hexahedra are not proven valid.
+/// Hexahedra with a scaled Jacobian below are poor; a layer that adds so much to the least one is
+/// worth its hexahedra.
+constexpr double kPoor = 0.2, kWorthALayer = 0.1;
+
+/// A mesh, how many of its hexahedra are not proven valid, and its least scaled Jacobian.
 struct Judged {
   explicit Judged(Hexahedrized of) : made(std::move(of)) {
     const quality::Report report = quality::report(made.mesh);
     not_valid = report.cells - report.valid;
+    least = report.min_scaled_jacobian;
   }
   Hexahedrized made;
   std::size_t not_valid = 0;
+  double least = 0;
 };
 
-void keep_better(std::optional<Judged>& best, Hexahedrized other) {
+/// In order: a later one counts if it has fewer hexahedra that are not valid, or as many and a
+/// least scaled Jacobian that is greater by more than `more`, if given.
+void keep_better(std::optional<Judged>& best, Hexahedrized other, std::optional<double> more = {}) {
   Judged judged(std::move(other));
-  if (!best || judged.not_valid < best->not_valid) best = std::move(judged);
+  const bool is_better =
+      !best || judged.not_valid < best->not_valid ||
+      (more && judged.not_valid == best->not_valid && judged.least > best->least + *more);
+  if (is_better) best = std::move(judged);
 }
 
 /// Sharp zones first. Others, which go by their number of hexahedra, where these leave hexahedra
-/// that are not valid: zones of a body with a gap go through the gap.
+/// that are not valid: zones of a body with a gap go through the gap. Where the boundary is smooth
+/// either have hexahedra with two sides nearly in one plane: unless a number of layers is asked
+/// for, all is made with one layer as well then.
 void by_zones(std::optional<Judged>& best, const QuadSphere& sphere,
               const mesh::SurfaceMesh& surface, const Means& means, const Placing& placing) {
   std::vector<Point> points;
   for (const mesh::Index p : sphere.point_of) points.push_back(surface.points[p]);
+  PeelOptions options = means.peeling;
+  std::optional<double> more;
   const auto keep = [&](const std::optional<PeeledMesh>& peeled) {
-    if (peeled) keep_better(best, with_account(*peeled, Method::zones, sphere, surface, placing));
+    if (peeled)
+      keep_better(best, with_account(*peeled, Method::zones, sphere, surface, placing), more);
   };
-  keep(mesh_by_sharp_zones(sphere, points, *means.table, means.peeling));
-  if (!best || best->not_valid > 0) keep(mesh_by_zones(sphere, *means.table, means.peeling));
+  keep(mesh_by_sharp_zones(sphere, points, *means.table, options));
+  if (!best || best->not_valid > 0) keep(mesh_by_zones(sphere, *means.table, options));
+  const bool is_by_zones = best && best->made.method == Method::zones;
+  if (!is_by_zones || best->least >= kPoor || options.layers > 0) return;
+  options.layers = 1;
+  more = kWorthALayer;
+  keep(mesh_by_sharp_zones(sphere, points, *means.table, options));
+  keep(mesh_by_zones(sphere, *means.table, options));
 }
 
 /// By the first of the methods allowed that can; where hexahedra are not valid then, by zones if
@@ -170,7 +192,10 @@ std::variant<Hexahedrized, Impossible, NotInTable> meshed(const QuadSphere& sphe
                                                           const mesh::SurfaceMesh& surface,
                                                           const Means& means,
                                                           const Placing& placing) {
-  const auto may = [&](Method method) { return !means.only || *means.only == method; };
+  const auto may = [&](Method method) {
+    if (means.only) return *means.only == method;
+    return means.peeling.layers == 0 || method == Method::zones || method == Method::flips;
+  };
   const auto is_done = [&](const std::optional<Judged>& best) {
     return best && (means.only || best->not_valid == 0);
   };

@@ -39,7 +39,9 @@ struct Means {
   const format::Table* table = nullptr;
   std::span<const format::Sector> sectors{};
   /// Else the first that can: the table, zones, flips; and where it leaves hexahedra that are not
-  /// valid, the next if that leaves fewer: zones after the table, flips after zones.
+  /// valid, the next if that leaves fewer: zones after the table, flips after zones. With layers
+  /// zones, then flips; zones put one layer below a smooth boundary themselves where that makes
+  /// poor hexahedra much better.
   std::optional<Method> only{};
   PeelOptions peeling{};
 };

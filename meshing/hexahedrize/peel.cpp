@@ -48,11 +48,23 @@ struct Stage {
                   "a layer below all quads is allowed");
     ++layers;
   }
+  void take_layer(flips::Angles& angles) {
+    core::expects(flips::take_layer(peeling, peeling.live_quads(), angles).has_value(),
+                  "a layer below all quads is allowed");
+    ++layers;
+  }
   [[nodiscard]] std::size_t expected() const {
     const std::size_t quads = peeling.quads();
     return peeling.taken().size() + quads * (is_small(quads) ? kPerSmallQuad : kPerQuad);
   }
 };
+
+/// With layers below the whole boundary.
+Stage begun(const QuadSphere& sphere, std::size_t layers) {
+  Stage stage{Peeling(sphere.quads, sphere.vertices()), 0};
+  while (stage.layers < layers) stage.take_layer();
+  return stage;
+}
 
 /// Sequences that grow in between are many, so they come last, when few quads are left.
 void reduce_all(Peeling& peeling, flips::ReducingOptions options) {
@@ -69,8 +81,7 @@ void reduce_all(Peeling& peeling, flips::ReducingOptions options) {
 Stage peeled(const QuadSphere& sphere, flips::ReducingOptions options, std::size_t layers,
              std::size_t seed) {
   options.seed = seed;
-  Stage best{Peeling(sphere.quads, sphere.vertices()), 0};
-  for (std::size_t layer = 0; layer < layers; ++layer) best.take_layer();
+  Stage best = begun(sphere, layers);
   reduce_all(best.peeling, options);
   for (Stage now = best; !is_small(now.peeling.quads());) {
     const std::size_t before = now.peeling.quads();
@@ -227,28 +238,29 @@ std::vector<Stage> best_stages(const QuadSphere& sphere, const PeelOptions& opti
 
 std::optional<PeeledMesh> mesh_by_zones(const QuadSphere& sphere, const format::Table& table,
                                         const PeelOptions& options) {
-  return completed_by_zones({Peeling(sphere.quads, sphere.vertices()), 0}, table, options);
+  return completed_by_zones(begun(sphere, options.layers), table, options);
 }
 
 std::optional<PeeledMesh> mesh_by_sharp_zones(const QuadSphere& sphere,
                                               std::span<const mesh::Point> points,
                                               const format::Table& table,
                                               const PeelOptions& options) {
-  Stage stage{Peeling(sphere.quads, sphere.vertices()), 0};
+  Stage stage = begun(sphere, 0);
   flips::Angles angles = interior_angles(stage.peeling, points);
+  while (stage.layers < options.layers) stage.take_layer(angles);
+  const std::size_t in_layers = stage.peeling.taken().size();
   do {
     flips::remove_sharp_zones(stage.peeling, angles);
     if (auto mesh = joined_as_layer(stage, angles)) return mesh;
   } while (flips::take_overhang(stage.peeling, angles));
-  if (stage.peeling.taken().empty()) return std::nullopt;
+  if (stage.peeling.taken().size() == in_layers) return std::nullopt;
   return completed_by_zones(std::move(stage), table, options);
 }
 
 PeeledMesh mesh_by_peeling(const QuadSphere& sphere, const format::Table* table,
                            std::span<const format::Sector> sectors, const PeelOptions& options) {
   std::vector<Stage> stages = best_stages(sphere, options);
-  if (options.layers == 0 && is_small(sphere.quads.size()))
-    stages.push_back({Peeling(sphere.quads, sphere.vertices()), 0});
+  if (options.layers == 0 && is_small(sphere.quads.size())) stages.push_back(begun(sphere, 0));
   std::optional<PeeledMesh> best;
   for (Stage& stage : stages) {
     PeeledMesh mesh = completed(std::move(stage), table, sectors, options.threads);

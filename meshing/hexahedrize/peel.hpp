@@ -66,9 +66,9 @@ struct PeeledMesh {
                                          std::span<const format::Sector> sectors,
                                          const PeelOptions& options = {});
 
-/// The mesh that is made by removing zones alone, however many hexahedra that takes, and by an
-/// entry of the table for what is left; nullopt if too much is left. The boundary of a block of k x
-/// l x m hexahedra gives these again.
+/// The mesh that is made by removing zones alone, below the layers asked for, however many
+/// hexahedra that takes, and by an entry of the table for what is left; nullopt if too much is
+/// left. The boundary of a block of k x l x m hexahedra gives these again.
 [[nodiscard]] std::optional<PeeledMesh> mesh_by_zones(const complex::QuadSphere& sphere,
                                                       const format::Table& table,
                                                       const PeelOptions& options = {});

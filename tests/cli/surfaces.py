@@ -48,6 +48,16 @@ def grid_cube(n):
     return block(n, n, n)
 
 
+def ball(n):
+    """The surface of n x n x n cubes blown up to a round one."""
+    points, quads = grid_cube(n)
+    round_points = []
+    for point in points:
+        p = [math.tan((2 * float(x) / n - 1) * math.pi / 4) for x in point]
+        round_points.append(tuple(repr(x / math.hypot(*p)) for x in p))
+    return round_points, quads
+
+
 def shaft(core, *steps):
     """Cylinders on each other, each of steps so many rings thick around a square of core x core quads, and so many
     layers high; with the number of quads of each layer."""
