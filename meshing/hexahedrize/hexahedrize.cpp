@@ -136,9 +136,9 @@ Hexahedrized by_flips(const QuadSphere& sphere, const mesh::SurfaceMesh& surface
   return made;
 }
 
-/// Hexahedra with a scaled Jacobian below are poor; a layer that adds so much to the least one is
-/// worth its hexahedra.
-constexpr double kPoor = 0.2, kWorthALayer = 0.1;
+/// Hexahedra with a scaled Jacobian below are poor; a layer that makes the least one so many times
+/// as great is worth its hexahedra.
+constexpr double kPoor = 0.2, kWorthALayer = 2;
 
 /// A mesh, how many of its hexahedra are not proven valid, and its least scaled Jacobian.
 struct Judged {
@@ -152,13 +152,14 @@ struct Judged {
   double least = 0;
 };
 
-/// In order: a later one counts if it has fewer hexahedra that are not valid, or as many and a
-/// least scaled Jacobian that is greater by more than `more`, if given.
-void keep_better(std::optional<Judged>& best, Hexahedrized other, std::optional<double> more = {}) {
+/// In order: a later one counts if it has fewer hexahedra that are not valid; or as many and a
+/// least scaled Jacobian that is positive and more than `times` that of the former, if given.
+void keep_better(std::optional<Judged>& best, Hexahedrized other,
+                 std::optional<double> times = {}) {
   Judged judged(std::move(other));
-  const bool is_better =
-      !best || judged.not_valid < best->not_valid ||
-      (more && judged.not_valid == best->not_valid && judged.least > best->least + *more);
+  const bool is_better = !best || judged.not_valid < best->not_valid ||
+                         (times && judged.not_valid == best->not_valid &&
+                          judged.least > std::max(0.0, *times * best->least));
   if (is_better) best = std::move(judged);
 }
 
@@ -171,17 +172,17 @@ void by_zones(std::optional<Judged>& best, const QuadSphere& sphere,
   std::vector<Point> points;
   for (const mesh::Index p : sphere.point_of) points.push_back(surface.points[p]);
   PeelOptions options = means.peeling;
-  std::optional<double> more;
+  std::optional<double> times;
   const auto keep = [&](const std::optional<PeeledMesh>& peeled) {
     if (peeled)
-      keep_better(best, with_account(*peeled, Method::zones, sphere, surface, placing), more);
+      keep_better(best, with_account(*peeled, Method::zones, sphere, surface, placing), times);
   };
   keep(mesh_by_sharp_zones(sphere, points, *means.table, options));
   if (!best || best->not_valid > 0) keep(mesh_by_zones(sphere, *means.table, options));
   const bool is_by_zones = best && best->made.method == Method::zones;
   if (!is_by_zones || best->least >= kPoor || options.layers > 0) return;
   options.layers = 1;
-  more = kWorthALayer;
+  times = kWorthALayer;
   keep(mesh_by_sharp_zones(sphere, points, *means.table, options));
   keep(mesh_by_zones(sphere, *means.table, options));
 }
