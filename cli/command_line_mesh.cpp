@@ -30,7 +30,7 @@ void add_report(CLI::App& app, Options& options) {
   add_require_valid(app, options.require_valid);
 }
 
-void add_effort(CLI::App& app, int& effort, const char* without = "harmonic places only") {
+void add_effort(CLI::App& app, int& effort, const char* without = "first places only") {
   app.add_option(
          "--effort", effort,
          std::string("Limit of the work to place vertices, about seconds on one core; 0: ") +
@@ -72,13 +72,15 @@ void add_mesh_untangle(CLI::App& mesh, Action& action) {
       ->required();
   add_mesh_to_write(*command, options->output);
   auto* harmonic =
-      command->add_flag("--harmonic", options->harmonic, "Forget where the interior vertices are");
+      command->add_flag("--harmonic", options->harmonic,
+                        "Forget where the interior vertices are: begin with harmonic places, or "
+                        "those that the spacing of the boundary asks for");
   command
       ->add_flag("--free-boundary", options->free_boundary,
                  "Move all vertices, those of interfaces too")
       ->excludes(harmonic);
   add_report(*command, *options);
-  add_effort(*command, options->effort, "harmonic places with --harmonic, else those given");
+  add_effort(*command, options->effort, "first places with --harmonic, else those given");
   add_threads(*command, options->threads);
   command->footer(
       "What is between two regions (references of MEDIT, entities of Gmsh), and quads inside that\n"
@@ -233,7 +235,7 @@ void add_mesh(CLI::App& app, Action& action) {
   add_report(*hex, *options);
   hex->add_option("--effort", options->effort,
                   fmt::format("Limit of the work to place interior vertices, about seconds on one "
-                              "core; 0: harmonic places only [{}; 0 above {} hexahedra]",
+                              "core; 0: first places only [{}; 0 above {} hexahedra]",
                               untangle::kDefaultEffort, hexahedrize::kSmallMesh))
       ->check(CLI::Range(0, untangle::kMaxEffort));
   add_threads(*hex, options->threads);

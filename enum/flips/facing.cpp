@@ -1,14 +1,19 @@
 #include "enum/flips/facing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <deque>
+#include <functional>
 #include <unordered_map>
 #include <utility>
 
 #include "enum/cells/cube.hpp"
 #include "enum/complex/pair_set.hpp"
 #include "enum/flips/pillow.hpp"
+#include "enum/flips/zone.hpp"
 
 namespace hexatlas::flips {
 namespace {
@@ -17,36 +22,95 @@ using complex::Hexahedron;
 using complex::VertexId;
 using Dart = Peeling::Dart;
 
-/// Of a layer: where one side bends outwards the other bends inwards, by about as much.
-constexpr float kParallel = 1.2F;
+/// Of a layer: where one side bends outwards the other bends inwards, by about as much, and two
+/// hexahedra share either angle.
+constexpr int kParallel = 108, kLeastBend = 60;
 
-class Finder {
- public:
-  Finder(const Peeling& peeling, const Zone& zone) : peeling_(peeling) {
-    for (const Dart in : zone) in_zone_.add(in / 4);
+/// Two quads, opposite each other in a hexahedron to be: side i of the one, counted from its dart
+/// 0, faces that of the other which facing(i) gives.
+struct FacingQuads {
+  std::uint32_t left = 0;  ///< the quad
+  Dart right_of_0 = 0;     ///< faces dart 0 of it
+
+  [[nodiscard]] Dart side(unsigned i) const { return 4 * left + (i & 3U); }
+  /// The other one is seen from the other side.
+  [[nodiscard]] Dart facing(unsigned i) const {
+    return (right_of_0 & ~3U) | ((right_of_0 - i) & 3U);
   }
+};
+
+/// What lies beyond two sides that face each other.
+enum class Beyond : std::uint8_t {
+  more,    ///< two quads that have to face each other as well
+  end,     ///< nothing of this piece
+  nothing  ///< that is allowed, so that there is no such piece
+};
+using BeyondSides = std::function<Beyond(Dart, Dart)>;
+
+/// Sets that are emptied at no cost, for one zone after the other.
+struct FacingMarks {
+  Marks in_zone, is_right;
+};
+
+/// A piece: the quads beside a zone that face each other across it, those beyond them, and so on.
+class Piece {
+ public:
+  Piece(const Peeling& peeling, FacingMarks& marks) : peeling_(peeling), marks_(marks) {}
+
+  /// As far as `beyond` says. Those beside the zone come first. False if quads that have to do not
+  /// face each other, or an end has the piece on both of its sides. Requires a zone that does not
+  /// cross itself.
+  bool find(const Zone& zone, const BeyondSides& beyond) {
+    marks_.in_zone.clear();
+    marks_.is_right.clear();
+    for (const Dart in : zone) marks_.in_zone.add(in / 4);
+    for (const Dart in : zone)
+      if (!meet(peeling_.twin(rim(in, Side::left)), peeling_.twin(rim(in, Side::right))))
+        return false;
+    std::vector<std::uint32_t> outside;
+    for (std::size_t seen = 0; seen < pairs_.size();) {
+      const FacingQuads pair = pairs_[seen++];
+      for (unsigned i = 0; i < 4; ++i) {
+        const Dart a = pair.side(i), b = pair.facing(i);
+        const bool is_at_zone = is_in_zone(peeling_.twin(a)) || is_in_zone(peeling_.twin(b));
+        const Beyond what = is_at_zone ? Beyond::more : beyond(a, b);
+        if (what == Beyond::nothing) return false;
+        if (what == Beyond::more && !meet(peeling_.twin(a), peeling_.twin(b))) return false;
+        if (what == Beyond::end)
+          outside.insert(outside.end(), {peeling_.twin(a) / 4, peeling_.twin(b) / 4});
+      }
+    }
+    has_end_ = !outside.empty();
+    return std::none_of(outside.begin(), outside.end(), [&](std::uint32_t q) {
+      return facing_.contains(q) || marks_.is_right.has(q);
+    });
+  }
+
+  [[nodiscard]] const std::vector<FacingQuads>& pairs() const { return pairs_; }
+  [[nodiscard]] bool has_end() const { return has_end_; }
+
+ private:
+  [[nodiscard]] bool is_in_zone(Dart d) const { return marks_.in_zone.has(d / 4); }
 
   /// Whether two edges may face each other, and so the quads that they belong to.
   bool meet(Dart a, Dart b) {
-    if (in_zone_.has(a / 4) || in_zone_.has(b / 4)) return a / 4 == b / 4;
+    if (is_in_zone(a) || is_in_zone(b)) return a / 4 == b / 4;
     if (a / 4 == b / 4) return false;
     FacingQuads pair{a / 4, b};
     pair.right_of_0 = pair.facing(4 - a % 4);
     const auto [at, is_new] = facing_.try_emplace(pair.left, pair.right_of_0);
     if (!is_new) return at->second == pair.right_of_0;
-    if (facing_.contains(b / 4) || !is_right_.add(b / 4) || is_right_.has(pair.left)) return false;
+    if (facing_.contains(b / 4) || !marks_.is_right.add(b / 4) || marks_.is_right.has(pair.left))
+      return false;
     pairs_.push_back(pair);
     return true;
   }
 
-  [[nodiscard]] bool is_in_zone(Dart d) const { return in_zone_.has(peeling_.twin(d) / 4); }
-  [[nodiscard]] std::vector<FacingQuads>& pairs() { return pairs_; }
-
- private:
   const Peeling& peeling_;
-  Marks in_zone_, is_right_;
+  FacingMarks& marks_;
   std::unordered_map<std::uint32_t, Dart> facing_;  ///< of quads on the left: right_of_0
   std::vector<FacingQuads> pairs_;
+  bool has_end_ = false;
 };
 
 std::vector<Hexahedron> hexahedra_between(const Peeling& peeling,
@@ -80,8 +144,8 @@ bool fits(const Peeling& peeling, const std::vector<Hexahedron>& hexahedra) {
 
 bool is_sharp_on_both_sides(const Zone& zone, const Angles& angles) {
   return std::all_of(zone.begin(), zone.end(), [&](Dart in) {
-    return is_good(angles[rim(in, Side::left)], kSharpAtRim) &&
-           is_good(angles[rim(in, Side::right)], kSharpAtRim);
+    return is_good(angles[rim(in, Side::left)], kLeastAtRim) &&
+           is_good(angles[rim(in, Side::right)], kLeastAtRim);
   });
 }
 
@@ -150,13 +214,13 @@ class Overhang {
     const auto patch = patch_of(pair);
     Peeling::Prism prism;
     if (!patch || !peeling_.may_take(*patch, prism)) return false;
-    std::vector<std::pair<Dart, float>> beyond;  // across sides without a wall, and the angle there
+    std::vector<std::pair<Dart, std::int16_t>> beyond;  // sides without a wall, the angle there
     for (unsigned i = 0; i < 4; ++i) {
       ++quads_at_[peeling_.origin(pair.side(i))];
       ++quads_at_[peeling_.origin(pair.facing(i))];
       if (wall(pair, i)) continue;
       for (const Dart d : {pair.side(i), pair.facing(i)})
-        beyond.emplace_back(peeling_.twin(d), angles_[d] - 1);
+        beyond.emplace_back(peeling_.twin(d), less_a_right_angle(angles_[d]));
     }
     peeling_.take(*patch, prism);
     angles_.resize(4 * std::size_t{peeling_.quad_numbers()}, kUnknown);
@@ -168,78 +232,67 @@ class Overhang {
   void finish_walls(std::uint32_t first_wall) {
     for (Dart d = 4 * first_wall; d < angles_.size(); ++d)
       if (peeling_.is_live(d / 4) && angles_[d] == kUnknown)
-        angles_[d] = angles_[peeling_.twin(d)] =
-            std::max(kLeastLeft, 4 - static_cast<float>(quads_at_[peeling_.origin(d)]));
+        angles_[d] = angles_[peeling_.twin(d)] = static_cast<std::int16_t>(
+            std::max(kLeastLeft, kFullTurn - kRightAngle * quads_at_[peeling_.origin(d)]));
   }
 
-  static constexpr float kUnknown = -1;
+  static constexpr std::int16_t kUnknown = -1;
   Peeling& peeling_;
   Angles& angles_;
   const std::vector<FacingQuads>& pairs_;
   std::unordered_map<std::uint32_t, std::size_t> number_;  ///< of pairs, by their left quads
-  std::unordered_map<VertexId, std::uint32_t> quads_at_;   ///< of pairs taken
+  std::unordered_map<VertexId, int> quads_at_;             ///< of pairs taken
 };
 
 }  // namespace
 
-std::optional<std::vector<FacingQuads>> facing_quads(
-    const Peeling& peeling, const Zone& zone, const std::function<Beyond(Dart, Dart)>& beyond) {
-  Finder finder(peeling, zone);
-  for (const Dart in : zone)
-    if (!finder.meet(peeling.twin(rim(in, Side::left)), peeling.twin(rim(in, Side::right))))
-      return std::nullopt;
-  for (std::size_t seen = 0; seen < finder.pairs().size();) {
-    const FacingQuads pair = finder.pairs()[seen++];
-    for (unsigned i = 0; i < 4; ++i) {
-      const Dart a = pair.side(i), b = pair.facing(i);
-      const bool goes_on = finder.is_in_zone(a) || finder.is_in_zone(b);
-      const Beyond what = goes_on ? Beyond::more : beyond(a, b);
-      if (what == Beyond::nothing) return std::nullopt;
-      if (what == Beyond::more && !finder.meet(peeling.twin(a), peeling.twin(b)))
-        return std::nullopt;
-    }
-  }
-  return std::move(finder.pairs());
-}
-
 std::optional<std::vector<Hexahedron>> single_layer(const Peeling& peeling, const Angles& angles) {
   expect_one_each(peeling, angles);
   std::optional<std::vector<Hexahedron>> best;
-  Marks marks;
+  Marks crossed;
+  FacingMarks marks;
   for_each_zone(peeling, [&](const Zone& zone) {
     const std::size_t hexahedra = (peeling.quads() - zone.size()) / 2;
     if (best && best->size() <= hexahedra) return;
-    if (!is_sharp_on_both_sides(zone, angles) || crossings_of(zone, marks) > 0) return;
-    const auto pairs = facing_quads(peeling, zone, [&](Dart a, Dart b) {
-      const bool is_parallel = std::abs(angles[a] + angles[b] - 4) <= kParallel;
-      return is_parallel ? Beyond::more : Beyond::nothing;
+    if (!is_sharp_on_both_sides(zone, angles) || crossings_of(zone, crossed) > 0) return;
+    Piece piece(peeling, marks);
+    const bool is_found = piece.find(zone, [&](Dart a, Dart b) {
+      const bool is_parallel = std::abs(angles[a] + angles[b] - kFullTurn) <= kParallel;
+      const bool is_bent = std::min(angles[a], angles[b]) < kLeastBend;
+      return is_parallel && !is_bent ? Beyond::more : Beyond::nothing;
     });
-    if (!pairs || pairs->size() != hexahedra || 2 * hexahedra + zone.size() != peeling.quads())
+    if (!is_found || piece.pairs().size() != hexahedra ||
+        2 * hexahedra + zone.size() != peeling.quads())
       return;
-    std::vector<Hexahedron> found = hexahedra_between(peeling, *pairs);
+    std::vector<Hexahedron> found = hexahedra_between(peeling, piece.pairs());
     if (fits(peeling, found)) best = std::move(found);
   });
   return best;
 }
 
-bool take_overhang(Peeling& peeling, Angles& angles) {
+bool take_overhangs(Peeling& peeling, Angles& angles) {
   expect_one_each(peeling, angles);
-  Marks marks;
+  Marks crossed;
+  FacingMarks marks;
   std::vector<Zone> zones;
   for_each_zone(peeling, [&](const Zone& zone) {
-    if (is_sharp_on_both_sides(zone, angles) && crossings_of(zone, marks) == 0)
-      zones.push_back(zone);
+    if (is_sharp_on_both_sides(zone, angles)) zones.push_back(zone);
   });
-  return std::any_of(zones.begin(), zones.end(), [&](const Zone& zone) {
-    bool has_end = false;
-    const auto pairs = facing_quads(peeling, zone, [&](Dart a, Dart b) {
+  bool is_any = false;
+  for (const Zone& former : zones) {
+    const Zone zone = what_is_left_of(former, peeling);
+    if (zone.empty() || !is_sharp_on_both_sides(zone, angles) || crossings_of(zone, crossed) > 0)
+      continue;
+    Piece piece(peeling, marks);
+    const bool is_found = piece.find(zone, [&](Dart a, Dart b) {
       if (is_good_fold(angles[a]) && is_good_fold(angles[b])) return Beyond::more;
-      if (std::min(angles[a], angles[b]) - 1 < kLeastLeft) return Beyond::nothing;
-      has_end = true;
-      return Beyond::end;
+      const bool is_left = std::min(angles[a], angles[b]) - kRightAngle >= kLeastLeft;
+      return is_left ? Beyond::end : Beyond::nothing;
     });
-    return pairs && has_end && Overhang(peeling, angles, *pairs).take();
-  });
+    if (is_found && piece.has_end() && Overhang(peeling, angles, piece.pairs()).take())
+      is_any = true;
+  }
+  return is_any;
 }
 
 }  // namespace hexatlas::flips

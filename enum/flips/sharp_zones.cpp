@@ -1,44 +1,39 @@
 #include "enum/flips/sharp_zones.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
-#include "enum/flips/facing.hpp"
 #include "enum/flips/pillow.hpp"
 #include "enum/flips/zone.hpp"
 
 namespace hexatlas::flips {
 namespace {
 
-using complex::VertexId;
 using Dart = Peeling::Dart;
-
-/// And the vertex of the edge between two quads of the zone.
-VertexId rim_vertex(const Peeling& peeling, Dart in, Side side) {
-  return peeling.origin(side == Side::left ? in : Peeling::next(in));
-}
 
 class SharpZones {
  public:
-  SharpZones(Peeling& peeling, Angles& angles) : peeling_(peeling), angles_(angles) {}
+  SharpZones(Peeling& peeling, Angles& angles, int within, ZoneOrder order)
+      : peeling_(peeling), angles_(angles), within_(within), order_(order) {}
 
   std::size_t run() {
     std::size_t removed = 0;
-    for (const float within : {kRightAtRim, kSharpAtRim}) {
-      within_ = within;
-      for (std::size_t before = removed + 1; before != removed;) {
-        before = removed;
-        for (const Candidate& candidate : candidates())
-          if (remove(candidate)) ++removed;
+    for (std::vector<Candidate> all = candidates(); !all.empty(); all = candidates()) {
+      const std::size_t before = removed;
+      while (!all.empty()) {
+        std::erase_if(all, [this](Candidate& candidate) { return !remove(candidate); });
+        removed += all.size();
       }
+      if (removed == before) break;
     }
     return removed;
   }
 
  private:
   struct Candidate {
-    double cost = 0;  ///< hexahedra per quad of the zone
+    double rank = 0;  ///< those with the least go first
     Zone zone;        ///< when it was found
     Side side{};
   };
@@ -47,72 +42,81 @@ class SharpZones {
     std::vector<Candidate> result;
     for_each_zone(peeling_, [&](const Zone& zone) {
       for (const Side side : {Side::left, Side::right}) {
-        const std::size_t quads = sharp_disc(zone, side).size();
+        const auto quads = static_cast<double>(sharp_disc(zone, side).size());
+        const bool is_cheapest = order_ == ZoneOrder::cheapest;
         if (quads > 0)
           result.push_back(
-              {static_cast<double>(quads) / static_cast<double>(zone.size()), zone, side});
+              {is_cheapest ? quads / static_cast<double>(zone.size()) : -quads, zone, side});
       }
     });
     std::stable_sort(result.begin(), result.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+                     [](const Candidate& a, const Candidate& b) { return a.rank < b.rank; });
     return result;
   }
 
-  bool remove(const Candidate& candidate) {
+  /// Then it is the zone behind, where the one removed ended.
+  bool remove(Candidate& candidate) {
     const Zone zone = what_is_left_of(candidate.zone, peeling_);
     if (zone.empty()) return false;
     const std::vector<std::uint32_t> quads = sharp_disc(zone, candidate.side);
-    return !quads.empty() && take_layer(peeling_, quads, angles_).has_value();
+    if (quads.empty()) return false;
+    const Dart behind = peeling_.twin(Peeling::opposite(rim(zone.front(), candidate.side)));
+    if (!take_layer(peeling_, quads, angles_)) return false;
+    candidate.side = Side::left;
+    candidate.zone = zone_from(peeling_, Peeling::next(behind));
+    return true;
   }
 
   /// The quads of the disc on that side of a zone; empty if the zone is not sharp there.
   [[nodiscard]] std::vector<std::uint32_t> sharp_disc(const Zone& zone, Side side) {
     const bool ends_well = std::all_of(zone.begin(), zone.end(), [&](Dart in) {
       const Dart edge = rim(in, side);
-      return is_good(angles_[edge], within_) && angles_[Peeling::opposite(edge)] - 1 >= kLeastLeft;
+      return is_good(angles_[edge], within_) &&
+             angles_[Peeling::opposite(edge)] - kRightAngle >= kLeastLeft;
     });
-    if (!ends_well || crossings_of(zone, marks_) > 0) return {};
+    if (!ends_well || crossings_of(zone, marks_) > 0 || !is_good_along(zone, side)) return {};
     std::vector<std::uint32_t> quads;
     const auto reach = [&](Dart d) {
       if (marks_.add(d / 4)) quads.push_back(d / 4);
     };
+    rim_.clear();
+    for (const Dart in : zone) rim_.add(in / 4);
     for (const Dart in : zone) reach(peeling_.twin(rim(in, side)));
     for (std::size_t seen = 0; seen < quads.size();) {
       const std::uint32_t q = quads[seen++];
-      for (Dart d = 4 * q; d < 4 * q + 4; ++d) reach(peeling_.twin(d));
+      for (Dart d = 4 * q; d < 4 * q + 4; ++d) {
+        if (rim_.has(peeling_.twin(d) / 4)) continue;
+        if (!is_good_fold(angles_[d])) return {};
+        reach(peeling_.twin(d));
+      }
     }
-    if (!is_good_inside(zone, side, quads)) quads.clear();
     return quads;
   }
 
-  /// Two hexahedra share the angle along an edge of the disc; along one between two quads of the
-  /// zone, those of the disc's quads there do.
-  [[nodiscard]] bool is_good_inside(const Zone& zone, Side side,
-                                    const std::vector<std::uint32_t>& quads) {
-    disc_.clear();
-    for (const std::uint32_t q : quads) disc_.add(q);
-    count_.resize(peeling_.vertices(), 0);
-    bool is_good_there = true;
-    for (const std::uint32_t q : quads)
-      for (Dart d = 4 * q; d < 4 * q + 4; ++d) {
-        ++count_[peeling_.origin(d)];
-        if (disc_.has(peeling_.twin(d) / 4) && !is_good_fold(angles_[d])) is_good_there = false;
-      }
-    for (const Dart in : zone)
-      if (!is_good(angles_[in] / static_cast<float>(count_[rim_vertex(peeling_, in, side)]),
-                   kAlongZone))
-        is_good_there = false;
-    for (const std::uint32_t q : quads)
-      for (Dart d = 4 * q; d < 4 * q + 4; ++d) count_[peeling_.origin(d)] = 0;
-    return is_good_there;
+  /// Along an edge between two quads of the zone the quads of the disc at its end share the angle.
+  /// Requires that marks_ has the quads of the zone.
+  [[nodiscard]] bool is_good_along(const Zone& zone, Side side) const {
+    return std::all_of(zone.begin(), zone.end(), [&](Dart in) {
+      const int quads = quads_at_end(in, side);
+      return std::abs(angles_[in] - kRightAngle * quads) <= kAlongZone * quads;
+    });
+  }
+
+  /// From the quad beside the zone around the vertex, until the zone comes again.
+  [[nodiscard]] int quads_at_end(Dart in, Side side) const {
+    int quads = 1;
+    for (Dart at = peeling_.twin(rim(in, side));; ++quads) {
+      at = peeling_.twin(side == Side::left ? Peeling::prev(at) : Peeling::next(at));
+      if (marks_.has(at / 4)) return quads;
+    }
   }
 
   Peeling& peeling_;
   Angles& angles_;
-  float within_ = kRightAtRim;        ///< at the rim, now
-  Marks marks_;                       ///< quads of a zone, then of its disc, too
-  Marks disc_;                        ///< quads of a disc
-  std::vector<std::uint32_t> count_;  ///< quads of a disc at a vertex; 0 in between
+  int within_;
+  ZoneOrder order_;
+  Marks marks_;  ///< quads of a zone, then of its disc, too
+  Marks rim_;    ///< quads of a zone
 };
 
 }  // namespace
@@ -127,7 +131,9 @@ std::optional<std::vector<std::uint32_t>> take_layer(Peeling& peeling,
   for (const std::uint32_t q : quads)
     for (Dart d = 4 * q; d < 4 * q + 4; ++d) {
       const Dart beyond = peeling.twin(d);
-      below.push_back(covered.has(beyond / 4) ? angles[d] : angles[Peeling::opposite(beyond)] - 1);
+      const bool is_inside = covered.has(beyond / 4);
+      below.push_back(is_inside ? angles[d]
+                                : less_a_right_angle(angles[Peeling::opposite(beyond)]));
     }
   auto tops = take_layer(peeling, quads);
   if (!tops) return std::nullopt;
@@ -139,9 +145,9 @@ std::optional<std::vector<std::uint32_t>> take_layer(Peeling& peeling,
   return tops;
 }
 
-std::size_t remove_sharp_zones(Peeling& peeling, Angles& angles) {
+std::size_t remove_sharp_zones(Peeling& peeling, Angles& angles, int within, ZoneOrder order) {
   expect_one_each(peeling, angles);
-  return SharpZones(peeling, angles).run();
+  return SharpZones(peeling, angles, within, order).run();
 }
 
 }  // namespace hexatlas::flips

@@ -17,6 +17,15 @@ namespace hexatlas::flips {
 /// The darts at which the curve comes into the quads, in order.
 using Zone = std::vector<Peeling::Dart>;
 
+/// The two sides of a zone.
+enum class Side : std::uint8_t { left, right };
+
+/// The side of a zone's quad that is on that side of the zone, by the dart at which the curve comes
+/// in.
+[[nodiscard]] inline Peeling::Dart rim(Peeling::Dart in, Side side) {
+  return side == Side::left ? Peeling::prev(in) : Peeling::next(in);
+}
+
 /// Requires a live dart.
 [[nodiscard]] inline Zone zone_from(const Peeling& peeling, Peeling::Dart start) {
   Zone zone;

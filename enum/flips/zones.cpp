@@ -63,8 +63,8 @@ class ZoneRemover {
       if (quad_marks_.add(first / 4)) side.quads.push_back(first / 4);
     };
     for (const Dart d : zone) {
-      reach(sides[0], peeling_.twin(Peeling::prev(d)));
-      reach(sides[1], peeling_.twin(Peeling::next(d)));
+      reach(sides[0], peeling_.twin(rim(d, Side::left)));
+      reach(sides[1], peeling_.twin(rim(d, Side::right)));
     }
     const double most = price_ * static_cast<double>(zone.size());
     for (std::size_t turn = 0;; ++turn) {

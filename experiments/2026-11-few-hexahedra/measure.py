@@ -26,7 +26,7 @@ WAYS = {
     "random": {"auto": PLAIN},
     "scaling": {"flips": ("--method", "flips", *PLAIN),
                 "construction": ("--method", "construction", *PLAIN)},
-    "file": {"auto": (), "flips, 2 layers": ("--layers", "2"),
+    "file": {"auto": (), "flips, 2 layers": ("--method", "flips", "--layers", "2"),
              "construction": ("--method", "construction")},
 }
 

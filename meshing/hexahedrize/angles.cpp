@@ -32,8 +32,7 @@ Point into_quad(const Peeling& peeling, std::span<const Point> points, Peeling::
 }
 
 /// From the quad of d through the inside to that of its twin.
-float angle_at(const Peeling& peeling, std::span<const Point> points, Peeling::Dart d) {
-  constexpr double kFlat = 2;
+std::int16_t angle_at(const Peeling& peeling, std::span<const Point> points, Peeling::Dart d) {
   constexpr double kLeast = 1e-9;  // of a sine, so that roundings do not count
   const Point edge =
       quality::direction(points[peeling.origin(d)], points[peeling.origin(Peeling::next(d))]);
@@ -41,9 +40,9 @@ float angle_at(const Peeling& peeling, std::span<const Point> points, Peeling::D
   const Point there = into_quad(peeling, points, peeling.twin(d));
   const double sine = -quality::determinant(edge, here, there);
   const double cosine = dot(here, there);
-  if (!(std::hypot(sine, cosine) > kLeast)) return kFlat;
-  const double angle = std::atan2(sine, cosine) / (std::numbers::pi / 2);
-  return static_cast<float>(angle < 0 ? angle + 4 : angle);
+  if (!(std::hypot(sine, cosine) > kLeast)) return flips::kFlatAngle;
+  const auto angle = std::lround(std::atan2(sine, cosine) * (180 / std::numbers::pi));
+  return static_cast<std::int16_t>(angle < 0 ? angle + flips::kFullTurn : angle);
 }
 
 }  // namespace

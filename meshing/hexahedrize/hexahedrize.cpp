@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "enum/canon/code.hpp"
@@ -10,6 +11,7 @@
 #include "enum/complex/quad_surface.hpp"
 #include "enum/complex/quadrangulation.hpp"
 #include "enum/core/checks.hpp"
+#include "enum/flips/angles.hpp"
 #include "meshing/hexahedrize/linear.hpp"
 #include "meshing/hexahedrize/placing.hpp"
 #include "meshing/hexahedrize/sides.hpp"
@@ -163,6 +165,20 @@ void keep_better(std::optional<Judged>& best, Hexahedrized other,
   if (is_better) best = std::move(judged);
 }
 
+/// What meshes that are the same have in common, and others hardly: hexahedra, vertices, and the
+/// hexahedra at each vertex of the boundary.
+using Outline = std::vector<std::size_t>;
+
+Outline outline_of(const complex::HexComplex& cells, const QuadSphere& sphere) {
+  Outline outline(sphere.vertices() + 2, 0);
+  for (const complex::Hexahedron& cell : cells.hexahedra)
+    for (const complex::VertexId v : cell)
+      if (v < sphere.vertices()) ++outline[v];
+  outline[sphere.vertices()] = cells.hexahedra.size();
+  outline.back() = cells.vertices;
+  return outline;
+}
+
 /// Sharp zones first. Others, which go by their number of hexahedra, where these leave hexahedra
 /// that are not valid: zones of a body with a gap go through the gap. Where the boundary is smooth
 /// either have hexahedra with two sides nearly in one plane: unless a number of layers is asked
@@ -173,18 +189,28 @@ void by_zones(std::optional<Judged>& best, const QuadSphere& sphere,
   for (const mesh::Index p : sphere.point_of) points.push_back(surface.points[p]);
   PeelOptions options = means.peeling;
   std::optional<double> times;
-  const auto keep = [&](const std::optional<PeeledMesh>& peeled) {
-    if (peeled)
-      keep_better(best, with_account(*peeled, Method::zones, sphere, surface, placing), times);
+  std::set<Outline> made;
+  const auto keep = [&](const PeeledMesh& peeled) {
+    if (made.insert(outline_of(peeled.mesh, sphere)).second)
+      keep_better(best, with_account(peeled, Method::zones, sphere, surface, placing), times);
+    return best->not_valid == 0;
   };
-  keep(mesh_by_sharp_zones(sphere, points, *means.table, options));
-  if (!best || best->not_valid > 0) keep(mesh_by_zones(sphere, *means.table, options));
+  const auto keep_by_number = [&] {
+    if (const auto peeled = mesh_by_zones(sphere, *means.table, options)) keep(*peeled);
+  };
+  const auto keep_sharp = [&](int within) {
+    meshes_by_sharp_zones(sphere, points, *means.table, options, within, keep);
+  };
+  const auto is_valid = [&] { return best && best->not_valid == 0; };
+  keep_sharp(flips::kSharpAtRim);
+  if (!is_valid()) keep_by_number();
+  if (!is_valid()) keep_sharp(flips::kLeastAtRim);
   const bool is_by_zones = best && best->made.method == Method::zones;
   if (!is_by_zones || best->least >= kPoor || options.layers > 0) return;
   options.layers = 1;
   times = kWorthALayer;
-  keep(mesh_by_sharp_zones(sphere, points, *means.table, options));
-  keep(mesh_by_zones(sphere, *means.table, options));
+  keep_sharp(flips::kSharpAtRim);
+  keep_by_number();
 }
 
 /// By the first of the methods allowed that can; where hexahedra are not valid then, by zones if

@@ -1,6 +1,7 @@
 #include "meshing/hexahedrize/peel.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -10,6 +11,8 @@
 #include "enum/canon/code.hpp"
 #include "enum/complex/quadrangulation.hpp"
 #include "enum/core/checks.hpp"
+#include "enum/flips/angles.hpp"
+#include "enum/flips/facing.hpp"
 #include "enum/flips/peeling.hpp"
 #include "enum/flips/pillow.hpp"
 #include "enum/flips/sharp_zones.hpp"
@@ -32,6 +35,9 @@ constexpr std::size_t kPerQuad = 16;
 constexpr std::size_t kPerSmallQuad = 2;
 /// Zones that cost more for each of their quads are left alone.
 constexpr double kZonePrice = 0.9 * static_cast<double>(kPerQuad);
+
+/// The quads of one hexahedron.
+constexpr std::size_t kSingle = 6;
 
 /// A search by way of the table is worth while for so few quads.
 constexpr bool is_small(std::size_t quads) {
@@ -185,21 +191,38 @@ PeeledMesh completed(Stage stage, const format::Table* table,
   return result;
 }
 
-/// The same with a rest that is one layer; nullopt if it is none, or a single hexahedron, which the
-/// table has.
-std::optional<PeeledMesh> joined_as_layer(const Stage& stage, const flips::Angles& angles) {
-  constexpr std::size_t kSingle = 6;
-  if (stage.peeling.quads() == kSingle) return std::nullopt;
-  auto hexahedra = flips::single_layer(stage.peeling, angles);
-  if (!hexahedra) return std::nullopt;
+/// The same with a rest that is one layer; nullopt if it breaks the strict rule.
+std::optional<PeeledMesh> joined_as_layer(const Stage& stage,
+                                          std::vector<complex::Hexahedron> layer) {
   const QuadSphere cavity = cavity_of(stage.peeling);
-  complex::HexComplex rest{static_cast<VertexId>(cavity.vertices()), *std::move(hexahedra)};
+  complex::HexComplex rest{static_cast<VertexId>(cavity.vertices()), std::move(layer)};
   for (complex::Hexahedron& cell : rest.hexahedra)
     for (VertexId& v : cell) v = label_in(cavity, v);
   if (complex::validate(rest) || !complex::has_boundary(rest, cavity.quads)) return std::nullopt;
   PeeledMesh result = joined(stage, cavity, rest);
   result.account.rest = Rest::layer;
   return result;
+}
+
+struct SharpOrder {
+  flips::ZoneOrder zones{};
+  bool overhangs_first = false;
+};
+
+/// Sharp zones and overhangs, until there is neither; the layer that is left, if it is one.
+std::optional<std::vector<complex::Hexahedron>> take_all_sharp(Peeling& peeling,
+                                                               flips::Angles angles, int within,
+                                                               const SharpOrder& order) {
+  if (order.overhangs_first) flips::take_overhangs(peeling, angles);
+  for (std::size_t before = peeling.quads() + 1; peeling.quads() < before;) {
+    before = peeling.quads();
+    for (const int now : {flips::kRightAtRim, flips::kSharpAtRim, within}) {
+      flips::remove_sharp_zones(peeling, angles, std::min(now, within), order.zones);
+      if (auto layer = flips::single_layer(peeling, angles)) return layer;
+    }
+    flips::take_overhangs(peeling, angles);
+  }
+  return std::nullopt;
 }
 
 /// With all zones that are left removed; nullopt if too much is left then.
@@ -241,20 +264,30 @@ std::optional<PeeledMesh> mesh_by_zones(const QuadSphere& sphere, const format::
   return completed_by_zones(begun(sphere, options.layers), table, options);
 }
 
-std::optional<PeeledMesh> mesh_by_sharp_zones(const QuadSphere& sphere,
-                                              std::span<const mesh::Point> points,
-                                              const format::Table& table,
-                                              const PeelOptions& options) {
+void meshes_by_sharp_zones(const QuadSphere& sphere, std::span<const mesh::Point> points,
+                           const format::Table& table, const PeelOptions& options, int within,
+                           const std::function<bool(const PeeledMesh&)>& is_enough) {
   Stage stage = begun(sphere, 0);
   flips::Angles angles = interior_angles(stage.peeling, points);
   while (stage.layers < options.layers) stage.take_layer(angles);
   const std::size_t in_layers = stage.peeling.taken().size();
-  do {
-    flips::remove_sharp_zones(stage.peeling, angles);
-    if (auto mesh = joined_as_layer(stage, angles)) return mesh;
-  } while (flips::take_overhang(stage.peeling, angles));
-  if (stage.peeling.taken().size() == in_layers) return std::nullopt;
-  return completed_by_zones(std::move(stage), table, options);
+  std::optional<Stage> first;
+  bool is_any = false;
+  for (const bool overhangs_first : {false, true})
+    for (const flips::ZoneOrder order : {flips::ZoneOrder::cheapest, flips::ZoneOrder::largest}) {
+      Stage now = stage;
+      auto layer = take_all_sharp(now.peeling, angles, within, {order, overhangs_first});
+      std::optional<PeeledMesh> mesh;
+      if (now.peeling.quads() == kSingle)
+        mesh = joined_by_table(now, table, options.threads);
+      else if (layer)
+        mesh = joined_as_layer(now, *std::move(layer));
+      if (mesh && is_enough(*mesh)) return;
+      is_any = is_any || mesh;
+      if (!first) first = std::move(now);
+    }
+  if (is_any || first->peeling.taken().size() == in_layers) return;
+  if (const auto mesh = completed_by_zones(*std::move(first), table, options)) is_enough(*mesh);
 }
 
 PeeledMesh mesh_by_peeling(const QuadSphere& sphere, const format::Table* table,

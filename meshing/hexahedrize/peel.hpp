@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -73,13 +74,15 @@ struct PeeledMesh {
                                                       const format::Table& table,
                                                       const PeelOptions& options = {});
 
-/// The same with sharp zones first (enum/flips/sharp_zones.hpp), and what is left as one layer if
-/// it is one: so a body that is swept, or a stack of such bodies, gets hexahedra in layers,
-/// whatever quads there are at its ends. nullopt also if no zone is sharp. Requires a point for
-/// each vertex of the sphere.
-[[nodiscard]] std::optional<PeeledMesh> mesh_by_sharp_zones(const complex::QuadSphere& sphere,
-                                                            std::span<const mesh::Point> points,
-                                                            const format::Table& table,
-                                                            const PeelOptions& options = {});
+/// The same with sharp zones and overhangs first (enum/flips/sharp_zones.hpp, facing.hpp), and what
+/// is left as one layer if it is one: so a body that is swept, or a stack of such bodies, gets
+/// hexahedra in layers, whatever quads there are at its ends. The order of the layers makes a
+/// difference: meshes that end in one layer or hexahedron are given to `is_enough` one after the
+/// other until it says so; if there are none, one that goes on with other zones, if there was any
+/// sharp zone or overhang. `within` as for remove_sharp_zones(), at last. Requires a point for each
+/// vertex of the sphere.
+void meshes_by_sharp_zones(const complex::QuadSphere& sphere, std::span<const mesh::Point> points,
+                           const format::Table& table, const PeelOptions& options, int within,
+                           const std::function<bool(const PeeledMesh&)>& is_enough);
 
 }  // namespace hexatlas::hexahedrize

@@ -18,7 +18,8 @@ constexpr double kWorkPerEffort = 1e6;
 constexpr double kEvaluationsOfAPart = 100;  ///< wanted; else fewer points move
 constexpr int kMaxParts = 8;
 constexpr std::size_t kWorstCells = 2'000;
-constexpr double kWorthTheSpacing = 0.05;  ///< of the least scaled Jacobian
+/// Of the least scaled Jacobian: so much more, or so many times as much.
+constexpr double kWorthTheSpacing = 0.05, kTimesWorthTheSpacing = 1.5;
 
 void expect_requirements(const Mesh& mesh, const Options& options) {
   core::expects(mesh.is_free.size() == mesh.points.size(), "untangle: one flag per point");
@@ -174,7 +175,9 @@ Points improved(const Task& task, const FirstPlaces& start, Work& work) {
                                                         : placed_in_parts(task, start.points, work);
   if (!start.keeps_spacing) return points;
   Placement placed = judged(std::move(points), task.cells, work.threads());
-  const bool is_worth_it = placed.not_valid == 0 && placed.least > start.least + kWorthTheSpacing;
+  const double least =
+      std::min(start.least + kWorthTheSpacing, start.least * kTimesWorthTheSpacing);
+  const bool is_worth_it = placed.not_valid == 0 && placed.least > least;
   return is_worth_it ? placed.points : start.points;
 }
 

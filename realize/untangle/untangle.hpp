@@ -38,7 +38,7 @@ struct Options {
   /// have their first places and no more.
   int effort = kDefaultEffort;
   int threads = 1;
-  /// Begin with the places given instead of harmonic ones.
+  /// Begin with the places given instead of first ones.
   bool starts_as_given = false;
 };
 

@@ -77,8 +77,16 @@ class Zones(MeshTest):
                 self.assertEqual((said["method"], said["hexahedra"], said["valid"]),
                                  ("zones", 9 - len(gap), 9 - len(gap)))
 
+    def test_oblique_cylinders(self):
+        for tangent in (0.5, 1.9):
+            (points, quads), of_layers = surfaces.shaft(2, (1, 2))
+            sheared = [(repr(float(x) + tangent * float(z)), y, z) for x, y, z in points]
+            said = self.mesh_and_judge((sheared, quads), "out.vtk")
+            self.assertEqual((said["hexahedra"], said["valid"], said["cavity_filled_by"]),
+                             (sum(of_layers), sum(of_layers), "layer"))
+
     def test_smooth_bodies_have_a_layer_where_that_is_much_better(self):
-        for n, layers in program.share_of(((3, 0), (5, 1))):
+        for n, layers in program.share_of(((2, 0), (5, 1))):
             said = self.mesh_and_judge(surfaces.ball(n), "out.vtk")
             self.assertEqual((said["method"], said["layers"]), ("zones", layers))
             self.assertEqual(said["hexahedra"], n ** 3 + layers * 6 * n ** 2)
