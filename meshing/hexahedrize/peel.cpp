@@ -191,7 +191,7 @@ PeeledMesh completed(Stage stage, const format::Table* table,
   return result;
 }
 
-/// The same with a rest that is one layer; nullopt if it breaks the strict rule.
+/// The hexahedra taken off and a rest that is one layer; nullopt if it breaks the strict rule.
 std::optional<PeeledMesh> joined_as_layer(const Stage& stage,
                                           std::vector<complex::Hexahedron> layer) {
   const QuadSphere cavity = cavity_of(stage.peeling);
