@@ -4,10 +4,11 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 program="$(realpath "${PROGRAM:-../../build/release/hexatlas}")"
+commit="$(git -C ../.. describe --always --dirty --abbrev=12)"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 export PYTHONDONTWRITEBYTECODE=1
 
 python3 measure.py "$program" "${BODIES:-60}" >"$work/result.tsv"
 mv "$work/result.tsv" result.tsv
-git -C ../.. describe --always --dirty --abbrev=12 >provenance.txt
+echo "$commit" >provenance.txt
