@@ -214,8 +214,7 @@ void add_mesh(CLI::App& app, Action& action) {
          "--method", options->method,
          "table: only what the table has; zones: layers, for blocks, swept bodies and their like; "
          "flips: any size, usually about one hexahedron per quad; construction: any size, at most "
-         "25 "
-         "hexahedra per quad, proven; auto: the first of these that can, or the next where that "
+         "25 hexahedra per quad, proven; auto: the first of these that can, or the next where that "
          "leaves fewer hexahedra not valid")
       ->check(CLI::IsMember({"auto", "table", "zones", "flips", "construction"}))
       ->capture_default_str();

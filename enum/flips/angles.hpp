@@ -14,12 +14,12 @@
 
 #include <cstdint>
 #include <cstdlib>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "enum/core/checks.hpp"
 #include "enum/flips/peeling.hpp"
+#include "enum/flips/pillow.hpp"
 
 namespace hexatlas::flips {
 
@@ -55,9 +55,7 @@ inline void expect_one_each(const Peeling& peeling, const Angles& angles) {
 }
 
 /// take_layer() of pillow.hpp with what is known of the angles afterwards: of the quads that come
-/// up those of the quads above them, less a right angle across the zone.
-std::optional<std::vector<std::uint32_t>> take_layer(Peeling& peeling,
-                                                     std::span<const std::uint32_t> quads,
-                                                     Angles& angles);
+/// up those of the quads above them, less a right angle across the zone. Says whether it was done.
+bool take_layer(Peeling& peeling, std::span<const std::uint32_t> quads, Angles& angles);
 
 }  // namespace hexatlas::flips

@@ -87,6 +87,12 @@ class Piece {
   }
 
   [[nodiscard]] const std::vector<FacingQuads>& pairs() const { return pairs_; }
+  /// The pair that has this quad on the left.
+  [[nodiscard]] std::optional<FacingQuads> pair_of(std::uint32_t left) const {
+    const auto at = facing_.find(left);
+    if (at == facing_.end()) return std::nullopt;
+    return FacingQuads{left, at->second};
+  }
   [[nodiscard]] bool has_end() const { return has_end_; }
 
  private:
@@ -153,29 +159,26 @@ bool is_sharp_on_both_sides(const Zone& zone, const Angles& angles) {
 /// known of the angles then. All or none.
 class Overhang {
  public:
-  Overhang(Peeling& peeling, Angles& angles, const std::vector<FacingQuads>& pairs)
-      : peeling_(peeling), angles_(angles), pairs_(pairs) {
-    for (std::size_t i = 0; i < pairs.size(); ++i) number_.emplace(pairs[i].left, i);
-  }
+  Overhang(Peeling& peeling, Angles& angles, const Piece& piece)
+      : peeling_(peeling), angles_(angles), piece_(piece) {}
 
   bool take() {
     const Angles before = angles_;
     const std::uint32_t first_wall = peeling_.quad_numbers();
     std::deque<std::uint32_t> open;
-    for (const FacingQuads& pair : pairs_) open.push_back(pair.left);
+    for (const FacingQuads& pair : piece_.pairs()) open.push_back(pair.left);
     std::size_t taken = 0;
     while (!open.empty()) {
-      const auto found = number_.find(open.front());
+      const auto pair = piece_.pair_of(open.front());
       open.pop_front();
-      if (found == number_.end() || !peeling_.is_live(found->first)) continue;
-      const FacingQuads& pair = pairs_[found->second];
-      std::vector<std::uint32_t> beside;
-      for (unsigned i = 0; i < 4; ++i) beside.push_back(peeling_.twin(pair.side(i)) / 4);
-      if (!take(pair)) continue;  // comes up again when one beside it is taken
+      if (!pair || !peeling_.is_live(pair->left)) continue;
+      std::array<std::uint32_t, 4> beside{};
+      for (unsigned i = 0; i < 4; ++i) beside[i] = peeling_.twin(pair->side(i)) / 4;
+      if (!take(*pair)) continue;  // comes up again when one beside it is taken
       ++taken;
       open.insert(open.end(), beside.begin(), beside.end());
     }
-    if (taken < pairs_.size()) {
+    if (taken < piece_.pairs().size()) {
       for (; taken > 0; --taken) peeling_.put_back();
       angles_ = before;
       return false;
@@ -239,9 +242,8 @@ class Overhang {
   static constexpr std::int16_t kUnknown = -1;
   Peeling& peeling_;
   Angles& angles_;
-  const std::vector<FacingQuads>& pairs_;
-  std::unordered_map<std::uint32_t, std::size_t> number_;  ///< of pairs, by their left quads
-  std::unordered_map<VertexId, int> quads_at_;             ///< of pairs taken
+  const Piece& piece_;
+  std::unordered_map<VertexId, int> quads_at_;  ///< of pairs taken
 };
 
 }  // namespace
@@ -289,8 +291,7 @@ bool take_overhangs(Peeling& peeling, Angles& angles) {
       const bool is_left = std::min(angles[a], angles[b]) - kRightAngle >= kLeastLeft;
       return is_left ? Beyond::end : Beyond::nothing;
     });
-    if (is_found && piece.has_end() && Overhang(peeling, angles, piece.pairs()).take())
-      is_any = true;
+    if (is_found && piece.has_end() && Overhang(peeling, angles, piece).take()) is_any = true;
   }
   return is_any;
 }

@@ -2,7 +2,6 @@
 
 #include <deque>
 #include <optional>
-#include <unordered_map>
 
 namespace hexatlas::flips {
 namespace {
@@ -18,9 +17,9 @@ class Layer {
     for (const std::uint32_t q : quads) covered_.add(q);
   }
 
-  std::optional<std::vector<std::uint32_t>> take() {
+  std::optional<std::vector<LayerQuads>> take() {
     find_rim();
-    std::unordered_map<std::uint32_t, std::uint32_t> top_of;
+    std::vector<LayerQuads> taken;
     while (!open_.empty()) {
       const std::uint32_t quad = open_.front();
       open_.pop_front();
@@ -33,17 +32,13 @@ class Layer {
         touched_.add(prism.bottom[i]);
         open_.push_back(peeling_.twin(4 * quad + i) / 4);
       }
-      top_of.emplace(quad, peeling_.quad_numbers());
+      taken.push_back({quad, peeling_.quad_numbers()});
       peeling_.take(*patch, prism);
       is_begun_ = true;
     }
-    if (top_of.size() < quads_.size()) {
-      for (std::size_t i = 0; i < top_of.size(); ++i) peeling_.put_back();
-      return std::nullopt;
-    }
-    std::vector<std::uint32_t> tops;
-    for (const std::uint32_t q : quads_) tops.push_back(top_of.at(q));
-    return tops;
+    if (taken.size() == quads_.size()) return taken;
+    for (std::size_t i = 0; i < taken.size(); ++i) peeling_.put_back();
+    return std::nullopt;
   }
 
  private:
@@ -85,8 +80,8 @@ class Layer {
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> take_layer(Peeling& peeling,
-                                                     std::span<const std::uint32_t> quads) {
+std::optional<std::vector<LayerQuads>> take_layer(Peeling& peeling,
+                                                  std::span<const std::uint32_t> quads) {
   return Layer(peeling, quads).take();
 }
 

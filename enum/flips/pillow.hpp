@@ -31,14 +31,20 @@ class Marks {
   std::uint32_t now_ = 1;
 };
 
+/// Of a hexahedron of a layer: the quad that it was below, and the one that has come up, whose
+/// sides are below those of the former.
+struct LayerQuads {
+  std::uint32_t above = 0, below = 0;
+};
+
 /// Takes a layer off, flip by flip. Below a disc it is joined at the rim to the quads outside,
 /// which it takes away; so these are a ring around the disc, a zone (reducing.hpp), or it fails.
 /// Below all quads it leaves a cavity whose quads are joined to each other as before, on new
-/// vertices, and nothing relates these but the quads themselves. Gives the quads that have come up,
-/// in the order of those given, side below side; nullopt if the strict rule forbids a flip: then
-/// nothing is changed. Requires different live quads, all, or those of a disc. Cost: linear in the
-/// quads.
-std::optional<std::vector<std::uint32_t>> take_layer(Peeling& peeling,
-                                                     std::span<const std::uint32_t> quads);
+/// vertices, and nothing relates these but the quads themselves. Gives the quads given with those
+/// that have come up, in the order in which they were taken; nullopt if the strict rule forbids a
+/// flip: then nothing is changed. Requires different live quads, all, or those of a disc. Cost:
+/// linear in the quads.
+std::optional<std::vector<LayerQuads>> take_layer(Peeling& peeling,
+                                                  std::span<const std::uint32_t> quads);
 
 }  // namespace hexatlas::flips

@@ -1,8 +1,6 @@
 #include "enum/flips/sharp_zones.hpp"
 
 #include <algorithm>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "enum/flips/pillow.hpp"
@@ -120,30 +118,6 @@ class SharpZones {
 };
 
 }  // namespace
-
-std::optional<std::vector<std::uint32_t>> take_layer(Peeling& peeling,
-                                                     std::span<const std::uint32_t> quads,
-                                                     Angles& angles) {
-  expect_one_each(peeling, angles);
-  Marks covered;
-  for (const std::uint32_t q : quads) covered.add(q);
-  Angles below;
-  for (const std::uint32_t q : quads)
-    for (Dart d = 4 * q; d < 4 * q + 4; ++d) {
-      const Dart beyond = peeling.twin(d);
-      const bool is_inside = covered.has(beyond / 4);
-      below.push_back(is_inside ? angles[d]
-                                : less_a_right_angle(angles[Peeling::opposite(beyond)]));
-    }
-  auto tops = take_layer(peeling, quads);
-  if (!tops) return std::nullopt;
-  angles.resize(4 * std::size_t{peeling.quad_numbers()});
-  for (std::size_t i = 0; i < below.size(); ++i) {
-    const Dart d = 4 * (*tops)[i / 4] + static_cast<Dart>(i % 4);
-    angles[d] = angles[peeling.twin(d)] = below[i];
-  }
-  return tops;
-}
 
 std::size_t remove_sharp_zones(Peeling& peeling, Angles& angles, int within, ZoneOrder order) {
   expect_one_each(peeling, angles);

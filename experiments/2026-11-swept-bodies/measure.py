@@ -66,12 +66,10 @@ def bodies(count):
 
 
 def line(program, name, surface, hexahedra):
-    points, quads = surface
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "in.obj")
         with open(path, "w", encoding="utf-8") as file:
-            file.writelines(f"v {' '.join(point)}\n" for point in points)
-            file.writelines(f"f {' '.join(str(v + 1) for v in quad)}\n" for quad in quads)
+            file.write(surfaces.obj(*surface))
         ran = subprocess.run([program, "mesh", "hex", path, "-o", os.path.join(folder, "out.vtk"), "--json"],
                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, check=True)
     said = json.loads(ran.stdout)

@@ -17,6 +17,7 @@
 #include "meshing/hexahedrize/sides.hpp"
 #include "meshing/hexahedrize/small_form.hpp"
 #include "meshing/quality/report.hpp"
+#include "tables/fill/filled.hpp"
 
 namespace hexatlas::hexahedrize {
 namespace {
@@ -74,11 +75,7 @@ std::optional<complex::HexComplex> from_table(const format::Table* table,
                                               const QuadSphere& sphere) {
   const auto ordinal = table == nullptr ? std::nullopt : table->find(form.code);
   if (!ordinal) return std::nullopt;
-  complex::HexComplex cells = carried_over(table->mesh(*ordinal), form, sphere.vertices());
-  if (!complex::has_boundary(cells, sphere.quads))
-    throw core::InvalidInput(table->path(),
-                             "holds a mesh of another boundary under " + canon::to_text(form.code));
-  return cells;
+  return carried_over(fill::mesh_in(*table, *ordinal, table->path()), form, sphere.vertices());
 }
 
 /// Of `used`, how often each of the sectors was used for so many quads.

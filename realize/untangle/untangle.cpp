@@ -157,11 +157,12 @@ struct FirstPlaces {
   double least = 0;            ///< scaled Jacobian, if so
 };
 
-/// Harmonic ones, unless those that keep the spacing make all cells valid.
-FirstPlaces first_places(Points points, const Task& task, int threads) {
+/// Harmonic ones, unless those that keep the spacing make all cells valid. `part` has the cells
+/// with free points.
+FirstPlaces first_places(Points points, const Task& task, const Task& part, int threads) {
   Points spaced = points;
   place_by_sheets(spaced, task.cells, task.is_free);
-  Placement placed = judged(std::move(spaced), part_of(task, task.is_free).cells, threads);
+  Placement placed = judged(std::move(spaced), part.cells, threads);
   if (placed.not_valid == 0) return {std::move(placed.points), true, placed.least};
   place_harmonically(points, task.cells, task.is_free, 0);
   return {std::move(points)};
@@ -196,8 +197,8 @@ std::vector<exact::Point3> untangled(const Mesh& mesh, const Options& options) {
   for (std::uint32_t v = 0; v < is_used.size(); ++v)
     if (is_used[v] != 0 && (starts_as_given || mesh.is_free[v] == 0)) listed.push_back(v);
 
-  Task task{mesh.hexahedra, mesh.is_free};
-  for (std::size_t v = 0; v < is_used.size(); ++v) task.is_free[v] &= is_used[v];
+  Task whole{mesh.hexahedra, mesh.is_free};
+  for (std::size_t v = 0; v < is_used.size(); ++v) whole.is_free[v] &= is_used[v];
   for (const std::uint32_t v : listed)
     core::expects(std::isfinite(mesh.points[v].x) && std::isfinite(mesh.points[v].y) &&
                       std::isfinite(mesh.points[v].z),
@@ -205,9 +206,9 @@ std::vector<exact::Point3> untangled(const Mesh& mesh, const Options& options) {
   const Frame frame(mesh.points, listed);
   FirstPlaces start{Points::Zero(3, static_cast<Eigen::Index>(mesh.points.size()))};
   for (const std::uint32_t v : listed) start.points.col(v) = frame.inside(mesh.points[v]);
-  if (!starts_as_given) start = first_places(std::move(start.points), task, options.threads);
+  const Task task = part_of(whole, whole.is_free);
+  if (!starts_as_given) start = first_places(std::move(start.points), whole, task, options.threads);
 
-  task = part_of(task, task.is_free);
   double unit = 1;
   if (options.effort > 0 && !task.cells.empty()) {
     const double volume = volume_of(start.points, task.cells);

@@ -32,7 +32,8 @@ complex::HexComplex mesh_in(const format::Table& table, std::size_t ordinal,
   complex::HexComplex mesh = table.mesh(ordinal);
   const canon::Code code = table.entry(ordinal).code;
   if (const auto reason = reason_against(mesh, code))
-    throw core::InvalidInput(name, "the mesh of " + canon::to_text(code) + ": " + *reason);
+    throw core::InvalidInput(
+        name, "holds a mesh of " + canon::to_text(code) + " that breaks a law: " + *reason);
   return mesh;
 }
 

@@ -61,7 +61,7 @@ class ForgedTableTest(program.ProgramTest):
     def test_a_lying_table_is_not_believed(self):
         apart = [8, 9, 10, 11, 12, 13, 14, 15]
         ran = self.expect(3, self.mesh_with([self.sound_cell(), apart, apart], 8))
-        self.assertRegex(ran.err, r"\Aforged\.hxt: (holds a mesh|the mesh of q1:)[^\n]+\n\Z")
+        self.assertIn("forged.hxt: holds a mesh", ran.err)
         self.assertFalse(os.path.exists(self.path("out.vtk")))
 
     def test_no_verb_hands_it_on(self):
