@@ -5,7 +5,8 @@ usage: junit_summary.py FILE_OR_FOLDER...
 Exit status 1 if a test failed, if none ran, or if a report cannot be read.
 
 A test that CTest could not start (no executable, a failed fixture) is reported by it as skipped;
-here it is failed. Skipped are tests that said so themselves, and disabled ones.
+here it is failed. Skipped are tests that said so themselves, and disabled ones. A program that CTest
+reports as one test, which passed, counts as the tests in its own report, NAME.xml beside that of CTest.
 """
 import pathlib
 import sys
@@ -20,7 +21,9 @@ def outcome(case):
     skipped = case.find("skipped")
     if skipped is not None or case.get("status") in ("notrun", "disabled"):
         reason = "" if skipped is None else skipped.get("message", "")
-        chosen = case.get("status") == "disabled" or reason.startswith(CHOSEN)
+        # GoogleTest has a result, CTest has none.
+        chosen = case.get("status") == "disabled" or reason.startswith(CHOSEN) or (
+            case.get("result") in ("skipped", "suppressed"))
         return "skipped" if chosen else "failed"
     return "passed"
 
@@ -30,11 +33,18 @@ def reports(arguments):
         yield from sorted(path.glob("*.xml")) if path.is_dir() else [path]
 
 
+def name_of(case):
+    name, of = case.get("name", "unnamed"), case.get("classname")
+    return name if of in (None, "", name) else f"{of}.{name}"
+
+
 def cases(path):
     """Pairs (name, outcome); an unreadable report is one failed test."""
     try:
         for case in ElementTree.parse(path).iter("testcase"):
-            yield case.get("name", "unnamed"), outcome(case)
+            name, result = name_of(case), outcome(case)
+            if result != "passed" or not (path.parent / f"{name}.xml").exists():
+                yield name, result
     except (ElementTree.ParseError, OSError) as error:
         yield f"report cannot be read: {error}", "failed"
 

@@ -1,9 +1,14 @@
 #!/usr/bin/env bash
 # Every check of the project; the last line is "N passed, N failed", N skipped may follow.
-# usage: bash cmake/test.sh           [HEXATLAS_TIDY=all|deep|changed|off, default all]
+# usage: bash cmake/test.sh           [HEXATLAS_FAST=once|twice, default once] [HEXATLAS_TIDY=..., default all]
+# HEXATLAS_FAST, the tests labelled fast:
+#   once     under sanitizers, which see more
+#   twice    in the release build as well; before a release
+# HEXATLAS_TIDY:
 #   all      clang-tidy without the static analyzer, which takes two thirds of its time
 #   deep     with the static analyzer; before a release
 #   changed  deep, but only on what changed since HEXATLAS_TIDY_BASE, default HEAD~1
+#   off
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -95,12 +100,17 @@ run_tests() { # PRESET [CTEST OPTION...]
   fi
 }
 
-# The tests of a label again in another build, which makes only what they run and must have them all. A
-# program that was not made is a test that could not start, which cmake/junit_summary.py counts as failed.
-run_again() { # PRESET LABEL
-  build "$1" "tests_$2" || return 0
-  step "same-tests-$1" diff "build/release/tests_$2.txt" "build/$1/tests_$2.txt" || true
-  run_tests "$1" --label-regex "^$2\$"
+# Tests in a sanitizer's build, which makes only what they run and must have all that release has. Programs of
+# GoogleTest run as one test each there and report their tests themselves.
+run_sanitized() { # PRESET LABEL...
+  local preset=$1 label
+  shift
+  build "$preset" "${@/#/tests_}" || return 0
+  for label in "$@"; do
+    step "same-tests-$preset-$label" \
+      diff "build/release/tests_$label.txt" "build/$preset/tests_$label.txt" || true
+  done
+  GTEST_OUTPUT=xml:$results/ run_tests "$preset" --label-regex "^($(IFS='|' && echo "$*"))\$"
 }
 
 # The libraries and the program: for `all` the units that build/release compiles, which are joined
@@ -159,7 +169,9 @@ step packages bash cmake/packages.sh compile-tests
 # The larger part, which is needed to run tests only, comes while they are compiled.
 bash cmake/packages.sh test >"$results/packages-test.log" 2>&1 &
 rest_of_packages=$!
-build release && is_built=yes || is_built=no
+released=(source program threads long)
+[[ ${HEXATLAS_FAST:-once} == once ]] || released+=(fast)
+build release hexatlas hexatlas_bench "${released[@]/#/tests_}" && is_built=yes || is_built=no
 if ! wait "$rest_of_packages"; then
   cat "$results/packages-test.log"
   record packages-test failed
@@ -171,11 +183,11 @@ if [[ $is_built == yes ]]; then
     --target all_verify_interface_header_sets; then
     record headers passed
   fi
-  run_tests release
+  run_tests release --label-regex "^($(IFS='|' && echo "${released[*]}"))\$"
   if [[ ${HEXATLAS_TIDY:-all} != off ]] && step clang-tidy tidy "${HEXATLAS_TIDY:-all}"; then
     record clang-tidy passed
   fi
 fi
-run_again asan fast
-run_again tsan threads
+run_sanitized asan fast program
+run_sanitized tsan threads
 reached_end=yes

@@ -14,5 +14,5 @@ hexatlas_tests(sabotage_table long SOURCES table_records_sabotage_test.cpp USES 
 
 add_executable(sabotage_code_tool ${CMAKE_CURRENT_LIST_DIR}/code_tool.cpp)
 target_link_libraries(sabotage_code_tool PRIVATE tables_check)
-hexatlas_script_test(sabotage.reference_code fast Python3::Interpreter
+hexatlas_script_test(sabotage.reference_code program Python3::Interpreter
   ${CMAKE_CURRENT_LIST_DIR}/reference_code.py $<TARGET_FILE:sabotage_code_tool>)
