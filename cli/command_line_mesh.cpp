@@ -212,7 +212,7 @@ void add_mesh(CLI::App& app, Action& action) {
   add_mesh_to_write(*hex, options->output);
   hex->add_option(
          "--method", options->method,
-         "table: only what the table has; zones: layers, for blocks, swept bodies and their like; "
+         "table: only what the table has; zones: layers, for blocks, swept bodies, recesses and their like; "
          "flips: any size, usually about one hexahedron per quad; construction: any size, at most "
          "25 hexahedra per quad, proven; auto: the first of these that can, or the next where that "
          "leaves fewer hexahedra not valid")

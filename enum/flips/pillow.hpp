@@ -39,11 +39,12 @@ struct LayerQuads {
 
 /// Takes a layer off, flip by flip. Below a disc it is joined at the rim to the quads outside,
 /// which it takes away; so these are a ring around the disc, a zone (reducing.hpp), or it fails.
+/// Below a disc with holes there is a zone for each of these as well.
 /// Below all quads it leaves a cavity whose quads are joined to each other as before, on new
 /// vertices, and nothing relates these but the quads themselves. Gives the quads given with those
 /// that have come up, in the order in which they were taken; nullopt if the strict rule forbids a
-/// flip: then nothing is changed. Requires different live quads, all, or those of a disc. Cost:
-/// linear in the quads.
+/// flip: then nothing is changed. Requires different live quads, all, or those of a disc, which may
+/// have holes. Cost: linear in the quads.
 std::optional<std::vector<LayerQuads>> take_layer(Peeling& peeling,
                                                   std::span<const std::uint32_t> quads);
 

@@ -13,8 +13,8 @@ using Dart = Peeling::Dart;
 
 class SharpZones {
  public:
-  SharpZones(Peeling& peeling, Angles& angles, int within, ZoneOrder order)
-      : peeling_(peeling), angles_(angles), within_(within), order_(order) {}
+  SharpZones(Peeling& peeling, Angles& angles, int within, ZoneOrder order, Rims rims)
+      : peeling_(peeling), angles_(angles), within_(within), order_(order), rims_(rims) {}
 
   std::size_t run() {
     std::size_t removed = 0;
@@ -40,11 +40,11 @@ class SharpZones {
     std::vector<Candidate> result;
     for_each_zone(peeling_, [&](const Zone& zone) {
       for (const Side side : {Side::left, Side::right}) {
-        const auto quads = static_cast<double>(sharp_disc(zone, side).size());
+        const auto quads = static_cast<double>(sharp_piece(zone, side).size());
         const bool is_cheapest = order_ == ZoneOrder::cheapest;
         if (quads > 0)
           result.push_back(
-              {is_cheapest ? quads / static_cast<double>(zone.size()) : -quads, zone, side});
+              {is_cheapest ? quads / static_cast<double>(rim_quads_) : -quads, zone, side});
       }
     });
     std::stable_sort(result.begin(), result.end(),
@@ -56,7 +56,7 @@ class SharpZones {
   bool remove(Candidate& candidate) {
     const Zone zone = what_is_left_of(candidate.zone, peeling_);
     if (zone.empty()) return false;
-    const std::vector<std::uint32_t> quads = sharp_disc(zone, candidate.side);
+    const std::vector<std::uint32_t> quads = sharp_piece(zone, candidate.side);
     if (quads.empty()) return false;
     const Dart behind = peeling_.twin(Peeling::opposite(rim(zone.front(), candidate.side)));
     if (!take_layer(peeling_, quads, angles_)) return false;
@@ -65,34 +65,55 @@ class SharpZones {
     return true;
   }
 
-  /// The quads of the disc on that side of a zone; empty if the zone is not sharp there.
-  [[nodiscard]] std::vector<std::uint32_t> sharp_disc(const Zone& zone, Side side) {
+  /// The quads on that side of a zone, up to the other zones where the piece has to end; empty if a
+  /// zone is not sharp there, or these are not as many as are asked for.
+  [[nodiscard]] std::vector<std::uint32_t> sharp_piece(const Zone& zone, Side side) {
+    rim_.clear();
+    covered_.clear();
+    piece_.clear();
+    rim_quads_ = 0;
+    std::size_t rims = 1;
+    if (!add_rim(zone, side)) return {};
+    for (std::size_t seen = 0; seen < piece_.size();) {
+      const std::uint32_t q = piece_[seen++];
+      for (Dart d = 4 * q; d < 4 * q + 4; ++d) {
+        const Dart beyond = peeling_.twin(d);
+        if (rim_.has(beyond / 4)) continue;
+        if (is_good_fold(angles_[d])) {
+          reach(beyond);
+          continue;
+        }
+        const bool ends = rims_ == Rims::several &&
+                          add_rim(zone_from(peeling_, Peeling::next(beyond)), Side::left);
+        if (!ends) return {};
+        ++rims;
+      }
+    }
+    if (rims_ == Rims::several && rims == 1) return {};
+    return piece_;
+  }
+
+  /// Whether the piece may end at this zone, which then has met neither it nor its other rims.
+  [[nodiscard]] bool add_rim(const Zone& zone, Side side) {
     const bool ends_well = std::all_of(zone.begin(), zone.end(), [&](Dart in) {
       const Dart edge = rim(in, side);
       return is_good(angles_[edge], within_) &&
              angles_[Peeling::opposite(edge)] - kRightAngle >= kLeastLeft;
     });
-    if (!ends_well || crossings_of(zone, marks_) > 0 || !is_good_along(zone, side)) return {};
-    std::vector<std::uint32_t> quads;
-    const auto reach = [&](Dart d) {
-      if (marks_.add(d / 4)) quads.push_back(d / 4);
-    };
-    rim_.clear();
-    for (const Dart in : zone) rim_.add(in / 4);
+    if (!ends_well || crossings_of(zone, in_zone_) > 0 || !is_good_along(zone, side)) return false;
+    for (const Dart in : zone)
+      if (covered_.has(in / 4) || !rim_.add(in / 4)) return false;
+    rim_quads_ += zone.size();
     for (const Dart in : zone) reach(peeling_.twin(rim(in, side)));
-    for (std::size_t seen = 0; seen < quads.size();) {
-      const std::uint32_t q = quads[seen++];
-      for (Dart d = 4 * q; d < 4 * q + 4; ++d) {
-        if (rim_.has(peeling_.twin(d) / 4)) continue;
-        if (!is_good_fold(angles_[d])) return {};
-        reach(peeling_.twin(d));
-      }
-    }
-    return quads;
+    return true;
+  }
+
+  void reach(Dart d) {
+    if (covered_.add(d / 4)) piece_.push_back(d / 4);
   }
 
   /// Along an edge between two quads of the zone the quads of the disc at its end share the angle.
-  /// Requires that marks_ has the quads of the zone.
+  /// Requires that in_zone_ has the quads of the zone.
   [[nodiscard]] bool is_good_along(const Zone& zone, Side side) const {
     return std::all_of(zone.begin(), zone.end(), [&](Dart in) {
       const int quads = quads_at_end(in, side);
@@ -105,7 +126,7 @@ class SharpZones {
     int quads = 1;
     for (Dart at = peeling_.twin(rim(in, side));; ++quads) {
       at = peeling_.twin(side == Side::left ? Peeling::prev(at) : Peeling::next(at));
-      if (marks_.has(at / 4)) return quads;
+      if (in_zone_.has(at / 4)) return quads;
     }
   }
 
@@ -113,15 +134,20 @@ class SharpZones {
   Angles& angles_;
   int within_;
   ZoneOrder order_;
-  Marks marks_;  ///< quads of a zone, then of its disc, too
-  Marks rim_;    ///< quads of a zone
+  Rims rims_;
+  Marks in_zone_;                     ///< quads of the zone looked at
+  Marks rim_;                         ///< quads of the zones where the piece ends
+  Marks covered_;                     ///< quads of the piece
+  std::vector<std::uint32_t> piece_;  ///< the same
+  std::size_t rim_quads_ = 0;
 };
 
 }  // namespace
 
-std::size_t remove_sharp_zones(Peeling& peeling, Angles& angles, int within, ZoneOrder order) {
+std::size_t remove_sharp_zones(Peeling& peeling, Angles& angles, int within, ZoneOrder order,
+                               Rims rims) {
   expect_one_each(peeling, angles);
-  return SharpZones(peeling, angles, within, order).run();
+  return SharpZones(peeling, angles, within, order, rims).run();
 }
 
 }  // namespace hexatlas::flips

@@ -16,8 +16,15 @@ enum class ZoneOrder : std::uint8_t {
   largest    ///< with the most hexahedra: the ends of a wedge before its thick side
 };
 
-/// Removes sharp zones one after another until there is none whose angles at the rim of a disc are
-/// `within` so many degrees of a right angle. As far as the angles given tell, other angles of
+/// How many zones a layer may end at.
+enum class Rims : std::uint8_t {
+  one,     ///< it is below a disc
+  several  ///< below a piece with holes: around recesses, with a zone around the wall of each
+};
+
+/// Removes sharp zones, with `several` all of those at once where a layer ends, one after another
+/// until there is none whose angles at the rim of a disc are `within` so many degrees of a right
+/// angle. As far as the angles given tell, other angles of
 /// hexahedra lie between 14 and 166 degrees, and of one that two of them share below a disc each
 /// has half of at least 126; where the disc ends, at least 45 are left of the cavity. Gives how
 /// many zones. Requires 4 * peeling.quad_numbers() angles, and leaves as many. Deterministic. Cost:
@@ -25,6 +32,6 @@ enum class ZoneOrder : std::uint8_t {
 /// first bad angle, for each time that zones are sought anew: as often as bodies lie on each other,
 /// about.
 std::size_t remove_sharp_zones(Peeling& peeling, Angles& angles, int within = kLeastAtRim,
-                               ZoneOrder order = ZoneOrder::cheapest);
+                               ZoneOrder order = ZoneOrder::cheapest, Rims rims = Rims::one);
 
 }  // namespace hexatlas::flips

@@ -207,17 +207,36 @@ std::optional<PeeledMesh> joined_as_layer(const Stage& stage,
 struct SharpOrder {
   flips::ZoneOrder zones{};
   bool overhangs_first = false;
+  /// Layers around recesses before any other, which could end at the floor or the wall of one:
+  /// angles do not tell.
+  bool recesses_first = false;
 };
+
+std::vector<SharpOrder> sharp_orders() {
+  std::vector<SharpOrder> result;
+  for (const bool recesses_first : {false, true})
+    for (const bool overhangs_first : {false, true})
+      for (const auto zones : {flips::ZoneOrder::cheapest, flips::ZoneOrder::largest})
+        result.push_back({zones, overhangs_first, recesses_first});
+  return result;
+}
 
 /// Sharp zones and overhangs, until there is neither; the layer that is left, if it is one.
 std::optional<std::vector<complex::Hexahedron>> take_all_sharp(Peeling& peeling,
                                                                flips::Angles angles, int within,
                                                                const SharpOrder& order) {
+  const auto remove = [&](int now, flips::Rims rims) {
+    return flips::remove_sharp_zones(peeling, angles, now, order.zones, rims) > 0;
+  };
   if (order.overhangs_first) flips::take_overhangs(peeling, angles);
   for (std::size_t before = peeling.quads() + 1; peeling.quads() < before;) {
     before = peeling.quads();
-    for (const int now : {flips::kRightAtRim, flips::kSharpAtRim, within}) {
-      flips::remove_sharp_zones(peeling, angles, std::min(now, within), order.zones);
+    for (const int at_most : {flips::kRightAtRim, flips::kSharpAtRim, within}) {
+      const int now = std::min(at_most, within);
+      while (order.recesses_first && remove(now, flips::Rims::several) &&
+             flips::take_overhangs(peeling, angles)) {
+      }
+      remove(now, flips::Rims::one);
       if (auto layer = flips::single_layer(peeling, angles)) return layer;
     }
     flips::take_overhangs(peeling, angles);
@@ -273,19 +292,18 @@ void meshes_by_sharp_zones(const QuadSphere& sphere, std::span<const mesh::Point
   const std::size_t in_layers = stage.peeling.taken().size();
   std::optional<Stage> first;
   bool is_any = false;
-  for (const bool overhangs_first : {false, true})
-    for (const flips::ZoneOrder order : {flips::ZoneOrder::cheapest, flips::ZoneOrder::largest}) {
-      Stage now = stage;
-      auto layer = take_all_sharp(now.peeling, angles, within, {order, overhangs_first});
-      std::optional<PeeledMesh> mesh;
-      if (now.peeling.quads() == kSingle)
-        mesh = joined_by_table(now, table, options.threads);
-      else if (layer)
-        mesh = joined_as_layer(now, *std::move(layer));
-      if (mesh && is_enough(*mesh)) return;
-      is_any = is_any || mesh;
-      if (!first) first = std::move(now);
-    }
+  for (const SharpOrder& order : sharp_orders()) {
+    Stage now = stage;
+    auto layer = take_all_sharp(now.peeling, angles, within, order);
+    std::optional<PeeledMesh> mesh;
+    if (now.peeling.quads() == kSingle)
+      mesh = joined_by_table(now, table, options.threads);
+    else if (layer)
+      mesh = joined_as_layer(now, *std::move(layer));
+    if (mesh && is_enough(*mesh)) return;
+    is_any = is_any || mesh;
+    if (!first) first = std::move(now);
+  }
   if (is_any || first->peeling.taken().size() == in_layers) return;
   if (const auto mesh = completed_by_zones(*std::move(first), table, options)) is_enough(*mesh);
 }

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Claim. `mesh hex` gives the surface of a block its structured mesh, by zones, and that of a shaft its layers; what zones leave too much of is refused
+"""Claim. `mesh hex` gives the surface of a block its structured mesh, by zones, that of a shaft its layers, and that of a body with recesses the
+hexahedra around them; what zones leave too much of is refused
 by `--method zones` in a sentence, and meshed by flips; `--layers` puts layers below all of the surface. The judge
 accepts all of it, the account is true, and the bytes are the same for any number of threads and any formats read.
 Oracle. `hexatlas check`, which shares no code with the mesher; counts of a block by formula; hex_files.py.
 """
 import collections
+import itertools
 import json
 import os
 import random
@@ -76,6 +78,16 @@ class Zones(MeshTest):
                 said = self.mesh_and_judge(surfaces.of_cubes(square - gap), "out.vtk", "--method", method)
                 self.assertEqual((said["method"], said["hexahedra"], said["valid"]),
                                  ("zones", 9 - len(gap), 9 - len(gap)))
+
+    def test_recesses(self):
+        block = set(itertools.product(range(6), range(6), range(5)))
+        pockets = {(x, y, z) for x, y, z in block if x in (1, 2) and y == 1 and z > 1 or 1 <= x <= 4 and y >= 3 and z == 4}
+        bodies = [(surfaces.of_cubes(block - pockets), len(block - pockets)),
+                  surfaces.blind_hole(2, 4, 4, (2, 1)), surfaces.blind_hole(2, 3, 5, (2, 2), (0, 2))]
+        for surface, hexahedra in program.share_of(bodies):
+            said = self.mesh_and_judge(surface, "out.vtk")
+            self.assertEqual((said["method"], said["hexahedra"], said["valid"]), ("zones", hexahedra, hexahedra))
+            self.assertGreater(said["min_scaled_jacobian"], 0.5)
 
     def test_oblique_cylinders(self):
         for tangent in (0.5, 1.9):

@@ -58,41 +58,78 @@ def ball(n):
     return round_points, quads
 
 
+class Rings:
+    """Quads around an axis: a square of core x core in the middle, then rings; at heights from 0 on."""
+
+    def __init__(self, core):
+        self.core = core
+        self.corners = [(i, 0) for i in range(core)] + [(core, i) for i in range(core)]
+        self.corners += [(core - i, core) for i in range(core)] + [(0, core - i) for i in range(core)]
+        self.number, self.quads = {}, []
+
+    def surface(self):
+        return list(self.number), self.quads
+
+    def quads_within(self, rings):
+        return self.core * self.core + rings * len(self.corners)
+
+    def point(self, ring, i, j, z):
+        x, y = 2 * i / self.core - 1, 2 * j / self.core - 1
+        scale = ring / math.hypot(x, y) if ring > 0 else 0.4
+        return self.number.setdefault((repr(scale * x), repr(scale * y), str(z)), len(self.number))
+
+    def at(self, ring, t, z):
+        return self.point(ring, *self.corners[t % len(self.corners)], z)
+
+    def end(self, inner, outer, z, is_top):
+        """Between two rings, or with the square if `inner` is -1."""
+        cells = []
+        if inner < 0:
+            cells = [[self.point(0, i + a, j + b, z) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
+                     for i in range(self.core) for j in range(self.core)]
+        for ring in range(max(inner, 0), outer):
+            cells += [[self.at(ring, t, z), self.at(ring + 1, t, z), self.at(ring + 1, t + 1, z),
+                       self.at(ring, t + 1, z)] for t in range(len(self.corners))]
+        self.quads.extend(cell if is_top else cell[::-1] for cell in cells)
+
+    def wall(self, ring, z, is_outside=True):
+        """Up to the next height."""
+        cells = [[self.at(ring, t, z), self.at(ring, t + 1, z), self.at(ring, t + 1, z + 1),
+                  self.at(ring, t, z + 1)] for t in range(len(self.corners))]
+        self.quads.extend(cell if is_outside else cell[::-1] for cell in cells)
+
+
 def shaft(core, *steps):
     """Cylinders on each other, each of steps so many rings thick around a square of core x core quads, and so many
     layers high; with the number of quads of each layer."""
-    corners = [(i, 0) for i in range(core)] + [(core, i) for i in range(core)]
-    corners += [(core - i, core) for i in range(core)] + [(0, core - i) for i in range(core)]
-    number, quads = {}, []
+    rings = Rings(core)
+    before, top, of_layers = -1, 0, []
+    for radius, layers in steps:
+        rings.end(min(before, radius), max(before, radius), top, before > radius)
+        for z in range(top, top + layers):
+            rings.wall(radius, z)
+        of_layers += [rings.quads_within(radius)] * layers
+        before, top = radius, top + layers
+    rings.end(-1, before, top, True)
+    return rings.surface(), of_layers
 
-    def point(ring, i, j, z):
-        x, y = 2 * i / core - 1, 2 * j / core - 1
-        scale = ring / math.hypot(x, y) if ring > 0 else 0.4
-        return number.setdefault((repr(scale * x), repr(scale * y), str(z)), len(number))
 
-    def at(ring, t, z):
-        return point(ring, *corners[t % len(corners)], z)
-
-    def end(inner, outer, z, is_top):
-        cells = []
-        if inner < 0:
-            cells = [[point(0, i + a, j + b, z) for a, b in ((0, 0), (1, 0), (1, 1), (0, 1))]
-                     for i in range(core) for j in range(core)]
-        for ring in range(max(inner, 0), outer):
-            cells += [[at(ring, t, z), at(ring + 1, t, z), at(ring + 1, t + 1, z), at(ring, t + 1, z)]
-                      for t in range(len(corners))]
-        quads.extend(cell if is_top else cell[::-1] for cell in cells)
-
-    before, z, of_layers = -1, 0, []
-    for rings, layers in steps:
-        end(min(before, rings), max(before, rings), z, before > rings)
-        for z in range(z + 1, z + 1 + layers):
-            quads += [[at(rings, t, z - 1), at(rings, t + 1, z - 1), at(rings, t + 1, z), at(rings, t, z)]
-                      for t in range(len(corners))]
-            of_layers.append(core * core + rings * len(corners))
-        before = rings
-    end(-1, before, z, True)
-    return (list(number), quads), of_layers
+def blind_hole(core, radius, height, *holes):
+    """A cylinder with holes around its axis from above, each of holes (radius, depth) narrower and from the floor of
+    the one before; with the number of its hexahedra in layers."""
+    rings = Rings(core)
+    rings.end(-1, radius, 0, False)
+    for z in range(height):
+        rings.wall(radius, z)
+    hexahedra, before, top = height * rings.quads_within(radius), radius, height
+    for hole, depth in holes:
+        rings.end(hole, before, top, True)
+        for z in range(top - depth, top):
+            rings.wall(hole, z, is_outside=False)
+        hexahedra -= depth * rings.quads_within(hole)
+        before, top = hole, top - depth
+    rings.end(-1, before, top, True)
+    return rings.surface(), hexahedra
 
 
 def trapezohedron(k):

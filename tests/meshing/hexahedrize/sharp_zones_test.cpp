@@ -1,16 +1,23 @@
 // Claim. interior_angles() are those of blocks, of an L and of prisms, at any place and scale.
-// meshes_by_sharp_zones() gives a swept body its layers, and the judge accepts the mesh; it says
-// nothing of a body without sharp edges. Oracle. Angles by hand; bodies by construction.
+// meshes_by_sharp_zones() gives a swept body its layers, and one with recesses its cubes, and the
+// judge accepts the mesh; it says nothing of a body without sharp edges. Layers with several rims
+// are what recesses need; all that are taken leave a consistent peeling. Oracle. Angles by hand;
+// bodies by construction.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "enum/flips/sharp_zones.hpp"
 #include "meshing/hexahedrize/angles.hpp"
+#include "tests/enum/flips/peelings.hpp"
 #include "tests/meshing/hexahedrize/peeled.hpp"
 
 namespace {
@@ -73,6 +80,66 @@ Body ell() {
   return {quads, points};
 }
 
+using Place = std::array<int, 3>;
+
+/// Of cubes with these least corners.
+Body of_cubes(const std::set<Place>& cubes) {
+  std::map<Place, VertexId> number;
+  std::vector<BoundaryQuad> quads;
+  for (const Place& cube : cubes)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int side : {0, 1}) {
+        Place beyond = cube;
+        beyond[axis] += 2 * side - 1;
+        if (cubes.contains(beyond)) continue;
+        BoundaryQuad quad{};
+        for (std::size_t i = 0; i < 4; ++i) {
+          Place corner = cube;
+          corner[axis] += side;
+          corner[(axis + 1) % 3] += i == 1 || i == 2 ? 1 : 0;
+          corner[(axis + 2) % 3] += i >= 2 ? 1 : 0;
+          quad[side == 1 ? i : 3 - i] =
+              number.try_emplace(corner, static_cast<VertexId>(number.size())).first->second;
+        }
+        quads.push_back(quad);
+      }
+  std::vector<Point> points(number.size());
+  for (const auto& [place, v] : number)
+    points[v] = {static_cast<double>(place[0]), static_cast<double>(place[1]),
+                 static_cast<double>(place[2])};
+  return {quads, points};
+}
+
+/// A box of cubes, from a corner up to another, which it does not reach.
+struct Box {
+  Place low{}, high{};
+};
+
+std::set<Place> without(const Place& size, const std::vector<Box>& recesses) {
+  std::set<Place> cubes;
+  for (int x = 0; x < size[0]; ++x)
+    for (int y = 0; y < size[1]; ++y)
+      for (int z = 0; z < size[2]; ++z) cubes.insert({x, y, z});
+  for (const auto& [low, high] : recesses)
+    for (int x = low[0]; x < high[0]; ++x)
+      for (int y = low[1]; y < high[1]; ++y)
+        for (int z = low[2]; z < high[2]; ++z) cubes.erase({x, y, z});
+  return cubes;
+}
+
+/// A pocket; two of different depths; one in the floor of another; from both sides; with a wider
+/// place below; with a column in it.
+std::vector<std::set<Place>> bodies_with_recesses() {
+  auto with_column = without({5, 5, 3}, {{{1, 1, 1}, {4, 4, 3}}});
+  with_column.insert({{2, 2, 1}, {2, 2, 2}});
+  return {without({3, 3, 2}, {{{1, 1, 1}, {2, 2, 2}}}),
+          without({7, 4, 4}, {{{1, 1, 2}, {3, 3, 4}}, {{4, 1, 1}, {6, 2, 4}}}),
+          without({6, 5, 5}, {{{1, 1, 3}, {5, 4, 5}}, {{2, 2, 1}, {3, 3, 3}}}),
+          without({4, 4, 6}, {{{1, 1, 4}, {3, 3, 6}}, {{1, 1, 0}, {3, 3, 3}}}),
+          without({6, 6, 6}, {{{2, 2, 3}, {4, 4, 6}}, {{1, 1, 3}, {5, 5, 4}}}),
+          with_column};
+}
+
 /// How often each angle occurs, in degrees.
 std::map<long, std::size_t> angles_of(const Body& body) {
   const Peeling peeling(body.sphere.quads, body.sphere.vertices());
@@ -112,12 +179,14 @@ TEST(Angles, CountAsFlatWhereThereAreNone) {
   EXPECT_EQ(angles_of(body), (Degrees{{180, 56}}));
 }
 
-std::optional<hexahedrize::PeeledMesh> first_mesh(const Body& body) {
+/// The first one with at most so many hexahedra.
+std::optional<hexahedrize::PeeledMesh> first_mesh(const Body& body,
+                                                  std::size_t at_most = SIZE_MAX) {
   std::optional<hexahedrize::PeeledMesh> first;
   hexahedrize::meshes_by_sharp_zones(body.sphere, body.points, table(), {}, flips::kSharpAtRim,
                                      [&](const auto& mesh) {
-                                       first = mesh;
-                                       return true;
+                                       if (mesh.mesh.hexahedra.size() <= at_most) first = mesh;
+                                       return first.has_value();
                                      });
   return first;
 }
@@ -135,6 +204,39 @@ TEST(SharpZones, GiveSweptBodiesTheirLayers) {
       EXPECT_EQ(made->account.cavity, 4 * n);
       EXPECT_EQ(made->account.peeled, n * (height - 1));
     }
+}
+
+TEST(SharpZones, GiveBodiesWithRecessesTheirCubes) {
+  for (const auto& cubes : bodies_with_recesses()) {
+    const Body body = of_cubes(cubes);
+    const auto made = first_mesh(body, cubes.size());
+    ASSERT_TRUE(made) << cubes.size();
+    support::expect_accepted(made->mesh, body.sphere);
+    EXPECT_EQ(made->mesh.hexahedra.size(), cubes.size());
+  }
+}
+
+TEST(SharpZones, MayEndAtSeveralZones) {
+  // A block of 5 x 5 x 4 with two pockets of 3 x 1 x 2 and 3 x 1 x 1: two layers around them are
+  // 2 x 25 - 9 cubes. Then the floors are a part of the top, and one zone is enough.
+  const Body body = of_cubes(without({5, 5, 4}, {{{1, 1, 2}, {4, 2, 4}}, {{1, 3, 3}, {4, 4, 4}}}));
+  Peeling peeling(body.sphere.quads, body.sphere.vertices());
+  flips::Angles angles = hexahedrize::interior_angles(peeling, body.points);
+  const auto remove = [&](flips::Rims rims) {
+    const std::size_t removed = flips::remove_sharp_zones(peeling, angles, flips::kRightAtRim,
+                                                          flips::ZoneOrder::cheapest, rims);
+    support::expect_consistent(peeling);
+    for (const std::uint32_t q : peeling.live_quads())
+      for (Peeling::Dart d = 4 * q; d < 4 * q + 4; ++d)
+        EXPECT_EQ(angles[d], angles[peeling.twin(d)]);
+    return removed;
+  };
+  EXPECT_EQ(remove(flips::Rims::several), 2U);
+  EXPECT_EQ(peeling.taken().size(), 41U);
+  EXPECT_EQ(peeling.quads(), 2U * 25 + 4 * 2 * 5);
+  EXPECT_EQ(remove(flips::Rims::several), 0U);
+  remove(flips::Rims::one);
+  EXPECT_EQ(peeling.quads(), 6U);
 }
 
 TEST(SharpZones, SayNothingOfABodyWithout) {
