@@ -169,7 +169,7 @@ step packages bash cmake/packages.sh compile-tests
 # The larger part, which is needed to run tests only, comes while they are compiled.
 bash cmake/packages.sh test >"$results/packages-test.log" 2>&1 &
 rest_of_packages=$!
-released=(source program threads long)
+released=(source whole program threads long)
 [[ ${HEXATLAS_FAST:-once} == once ]] || released+=(fast)
 build release hexatlas hexatlas_bench "${released[@]/#/tests_}" && is_built=yes || is_built=no
 if ! wait "$rest_of_packages"; then

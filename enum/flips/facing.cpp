@@ -60,7 +60,7 @@ class Piece {
   /// As far as `beyond` says. Those beside the zone come first. False if quads that have to do not
   /// face each other, or an end has the piece on both of its sides. Requires a zone that does not
   /// cross itself.
-  bool find(const Zone& zone, const BeyondSides& beyond) {
+  bool find(std::span<const Dart> zone, const BeyondSides& beyond) {
     marks_.in_zone.clear();
     marks_.is_right.clear();
     for (const Dart in : zone) marks_.in_zone.add(in / 4);
@@ -148,11 +148,29 @@ bool fits(const Peeling& peeling, const std::vector<Hexahedron>& hexahedra) {
   return true;
 }
 
+bool is_sharp_on_both_sides(Dart in, const Angles& angles) {
+  return is_good(angles[rim(in, Side::left)], kLeastAtRim) &&
+         is_good(angles[rim(in, Side::right)], kLeastAtRim);
+}
 bool is_sharp_on_both_sides(const Zone& zone, const Angles& angles) {
-  return std::all_of(zone.begin(), zone.end(), [&](Dart in) {
-    return is_good(angles[rim(in, Side::left)], kLeastAtRim) &&
-           is_good(angles[rim(in, Side::right)], kLeastAtRim);
-  });
+  return std::all_of(zone.begin(), zone.end(),
+                     [&](Dart in) { return is_sharp_on_both_sides(in, angles); });
+}
+
+/// The longest runs of quads of a zone that are sharp on both sides, but not all of it; where they
+/// end enough is left of the cavity.
+std::vector<Zone> sharp_runs(Zone zone, const Angles& angles) {
+  const auto is_sharp = [&](Dart in) { return is_sharp_on_both_sides(in, angles); };
+  std::rotate(zone.begin(), std::find_if_not(zone.begin(), zone.end(), is_sharp), zone.end());
+  std::vector<Zone> result;
+  for (auto at = zone.begin(); at != zone.end();) {
+    const auto first = std::find_if(at, zone.end(), is_sharp);
+    at = std::find_if_not(first, zone.end(), is_sharp);
+    if (first == at) break;
+    const int left = std::min(angles[*first], angles[Peeling::opposite(at[-1])]) - kRightAngle;
+    if (left >= kLeastLeft) result.emplace_back(first, at);
+  }
+  return result;
 }
 
 /// Takes off the hexahedra between quads that face each other, from a zone inwards; and what is
@@ -217,13 +235,20 @@ class Overhang {
     const auto patch = patch_of(pair);
     Peeling::Prism prism;
     if (!patch || !peeling_.may_take(*patch, prism)) return false;
-    std::vector<std::pair<Dart, std::int16_t>> beyond;  // sides without a wall, the angle there
+    std::vector<std::pair<Dart, std::int16_t>> beyond;  // of sides that come up, the angle there
+    const auto comes_up_at = [&](Dart d) {
+      if (angles_[d] != kUnknown)
+        beyond.emplace_back(peeling_.twin(d), less_a_right_angle(angles_[d]));
+    };
     for (unsigned i = 0; i < 4; ++i) {
       ++quads_at_[peeling_.origin(pair.side(i))];
       ++quads_at_[peeling_.origin(pair.facing(i))];
       if (wall(pair, i)) continue;
-      for (const Dart d : {pair.side(i), pair.facing(i)})
-        beyond.emplace_back(peeling_.twin(d), less_a_right_angle(angles_[d]));
+      comes_up_at(pair.side(i));
+      comes_up_at(pair.facing(i));
+      // Walls beside it have an edge in common with it.
+      if (wall(pair, i + 3)) comes_up_at(Peeling::prev(peeling_.twin(pair.side(i + 3))));
+      if (wall(pair, i + 1)) comes_up_at(Peeling::next(peeling_.twin(pair.side(i + 1))));
     }
     peeling_.take(*patch, prism);
     angles_.resize(4 * std::size_t{peeling_.quad_numbers()}, kUnknown);
@@ -272,26 +297,35 @@ std::optional<std::vector<Hexahedron>> single_layer(const Peeling& peeling, cons
   return best;
 }
 
-bool take_overhangs(Peeling& peeling, Angles& angles) {
+bool take_overhangs(Peeling& peeling, Angles& angles, Extent extent) {
   expect_one_each(peeling, angles);
   Marks crossed;
   FacingMarks marks;
-  std::vector<Zone> zones;
-  for_each_zone(peeling, [&](const Zone& zone) {
-    if (is_sharp_on_both_sides(zone, angles)) zones.push_back(zone);
-  });
-  bool is_any = false;
-  for (const Zone& former : zones) {
-    const Zone zone = what_is_left_of(former, peeling);
-    if (zone.empty() || !is_sharp_on_both_sides(zone, angles) || crossings_of(zone, crossed) > 0)
-      continue;
+  const auto take = [&](std::span<const Dart> zone) {
     Piece piece(peeling, marks);
     const bool is_found = piece.find(zone, [&](Dart a, Dart b) {
       if (is_good_fold(angles[a]) && is_good_fold(angles[b])) return Beyond::more;
       const bool is_left = std::min(angles[a], angles[b]) - kRightAngle >= kLeastLeft;
       return is_left ? Beyond::end : Beyond::nothing;
     });
-    if (is_found && piece.has_end() && Overhang(peeling, angles, piece).take()) is_any = true;
+    return is_found && piece.has_end() && Overhang(peeling, angles, piece).take();
+  };
+  std::vector<Zone> zones;
+  for_each_zone(peeling, [&](const Zone& zone) {
+    if (extent == Extent::any || is_sharp_on_both_sides(zone, angles)) zones.push_back(zone);
+  });
+  bool is_any = false;
+  for (const Zone& former : zones) {
+    const Zone zone = what_is_left_of(former, peeling);
+    if (zone.empty() || crossings_of(zone, crossed) > 0) continue;
+    if (is_sharp_on_both_sides(zone, angles)) {
+      is_any |= take(zone);
+    } else if (extent == Extent::any) {
+      for (const Zone& run : sharp_runs(zone, angles))
+        is_any |=
+            std::all_of(run.begin(), run.end(), [&](Dart in) { return peeling.is_live(in / 4); }) &&
+            take(run);
+    }
   }
   return is_any;
 }

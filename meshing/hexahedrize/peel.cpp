@@ -228,18 +228,21 @@ std::optional<std::vector<complex::Hexahedron>> take_all_sharp(Peeling& peeling,
   const auto remove = [&](int now, flips::Rims rims) {
     return flips::remove_sharp_zones(peeling, angles, now, order.zones, rims) > 0;
   };
-  if (order.overhangs_first) flips::take_overhangs(peeling, angles);
+  const auto overhangs = [&] {
+    return flips::take_overhangs(
+        peeling, angles, order.recesses_first ? flips::Extent::any : flips::Extent::all_around);
+  };
+  if (order.overhangs_first) overhangs();
   for (std::size_t before = peeling.quads() + 1; peeling.quads() < before;) {
     before = peeling.quads();
     for (const int at_most : {flips::kRightAtRim, flips::kSharpAtRim, within}) {
       const int now = std::min(at_most, within);
-      while (order.recesses_first && remove(now, flips::Rims::several) &&
-             flips::take_overhangs(peeling, angles)) {
+      while (order.recesses_first && (remove(now, flips::Rims::several) || overhangs())) {
       }
       remove(now, flips::Rims::one);
       if (auto layer = flips::single_layer(peeling, angles)) return layer;
     }
-    flips::take_overhangs(peeling, angles);
+    overhangs();
   }
   return std::nullopt;
 }

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "enum/flips/facing.hpp"
 #include "enum/flips/sharp_zones.hpp"
 #include "meshing/hexahedrize/angles.hpp"
 #include "tests/enum/flips/peelings.hpp"
@@ -128,7 +129,8 @@ std::set<Place> without(const Place& size, const std::vector<Box>& recesses) {
 }
 
 /// A pocket; two of different depths; one in the floor of another; from both sides; with a wider
-/// place below; with a column in it.
+/// place below; with a column in it; several with walls between them, and to the outside, that are
+/// one cube thick, so that no layer around one ends well.
 std::vector<std::set<Place>> bodies_with_recesses() {
   auto with_column = without({5, 5, 3}, {{{1, 1, 1}, {4, 4, 3}}});
   with_column.insert({{2, 2, 1}, {2, 2, 2}});
@@ -137,7 +139,11 @@ std::vector<std::set<Place>> bodies_with_recesses() {
           without({6, 5, 5}, {{{1, 1, 3}, {5, 4, 5}}, {{2, 2, 1}, {3, 3, 3}}}),
           without({4, 4, 6}, {{{1, 1, 4}, {3, 3, 6}}, {{1, 1, 0}, {3, 3, 3}}}),
           without({6, 6, 6}, {{{2, 2, 3}, {4, 4, 6}}, {{1, 1, 3}, {5, 5, 4}}}),
-          with_column};
+          with_column,
+          without({6, 8, 7}, {{{2, 0, 1}, {5, 1, 2}},
+                              {{3, 0, 1}, {4, 2, 4}},
+                              {{0, 1, 1}, {1, 5, 3}},
+                              {{1, 1, 4}, {2, 5, 7}}})};
 }
 
 /// How often each angle occurs, in degrees.
@@ -216,6 +222,16 @@ TEST(SharpZones, GiveBodiesWithRecessesTheirCubes) {
   }
 }
 
+/// As those of cubes; the same at twins.
+void expect_right_angles(const Peeling& peeling, const flips::Angles& angles) {
+  ASSERT_EQ(angles.size(), 4 * std::size_t{peeling.quad_numbers()});
+  for (const std::uint32_t q : peeling.live_quads())
+    for (Peeling::Dart d = 4 * q; d < 4 * q + 4; ++d) {
+      EXPECT_EQ(angles[d], angles[peeling.twin(d)]);
+      EXPECT_TRUE(angles[d] == 90 || angles[d] == 180 || angles[d] == 270) << angles[d];
+    }
+}
+
 TEST(SharpZones, MayEndAtSeveralZones) {
   // A block of 5 x 5 x 4 with two pockets of 3 x 1 x 2 and 3 x 1 x 1: two layers around them are
   // 2 x 25 - 9 cubes. Then the floors are a part of the top, and one zone is enough.
@@ -226,9 +242,7 @@ TEST(SharpZones, MayEndAtSeveralZones) {
     const std::size_t removed = flips::remove_sharp_zones(peeling, angles, flips::kRightAtRim,
                                                           flips::ZoneOrder::cheapest, rims);
     support::expect_consistent(peeling);
-    for (const std::uint32_t q : peeling.live_quads())
-      for (Peeling::Dart d = 4 * q; d < 4 * q + 4; ++d)
-        EXPECT_EQ(angles[d], angles[peeling.twin(d)]);
+    expect_right_angles(peeling, angles);
     return removed;
   };
   EXPECT_EQ(remove(flips::Rims::several), 2U);
@@ -237,6 +251,24 @@ TEST(SharpZones, MayEndAtSeveralZones) {
   EXPECT_EQ(remove(flips::Rims::several), 0U);
   remove(flips::Rims::one);
   EXPECT_EQ(peeling.quads(), 6U);
+}
+
+TEST(SharpZones, OverhangsMayBeWallsOfRecesses) {
+  // A block of 5 x 4 x 4 with a pocket of 3 x 2 x 2: first its walls, 2 x (3 + 2) x 2 cubes, then
+  // the four columns at its corners, which leaves a plate of 5 x 4 x 2. In one of 7 x 6 x 5 nothing
+  // is thin.
+  for (const bool is_thin : {false, true}) {
+    const Body body = of_cubes(is_thin ? without({5, 4, 4}, {{{1, 1, 2}, {4, 3, 4}}})
+                                       : without({7, 6, 5}, {{{2, 2, 2}, {5, 4, 5}}}));
+    Peeling peeling(body.sphere.quads, body.sphere.vertices());
+    flips::Angles angles = hexahedrize::interior_angles(peeling, body.points);
+    EXPECT_FALSE(flips::take_overhangs(peeling, angles));
+    EXPECT_EQ(flips::take_overhangs(peeling, angles, flips::Extent::any), is_thin);
+    EXPECT_EQ(peeling.taken().size(), is_thin ? 20U + 8 : 0U);
+    EXPECT_TRUE(!is_thin || peeling.quads() == 2 * 20 + 2 * 2 * 9);
+    support::expect_consistent(peeling);
+    expect_right_angles(peeling, angles);
+  }
 }
 
 TEST(SharpZones, SayNothingOfABodyWithout) {
