@@ -29,9 +29,10 @@ enum class Extent : std::uint8_t {
 
 /// Takes off *overhangs*: hexahedra between two pieces of the boundary that are alike, flat, and
 /// joined by a zone as above, or by a part of one, up to where one of them bends inwards, all
-/// around; as the rim of a plate on a neck, or a wall between two recesses. What comes up are walls, with a right angle less at either end, and among each
-/// other what the hexahedra there leave of a full turn. Tries each zone once, and says whether any
-/// was taken. Cost: as above, and linear for each overhang.
+/// around; as the rim of a plate on a neck, or a wall between two recesses. What comes up are
+/// walls, with a right angle less at either end, and among each other what the hexahedra there
+/// leave of a full turn. Tries each zone once, and says whether any was taken. Cost: as above, and
+/// linear for each overhang.
 bool take_overhangs(Peeling& peeling, Angles& angles, Extent extent = Extent::all_around);
 
 }  // namespace hexatlas::flips
