@@ -212,7 +212,8 @@ void add_mesh(CLI::App& app, Action& action) {
   add_mesh_to_write(*hex, options->output);
   hex->add_option(
          "--method", options->method,
-         "table: only what the table has; zones: layers, for blocks, swept bodies, recesses and their like; "
+         "table: only what the table has; zones: layers, for blocks, swept bodies, recesses and "
+         "their like; "
          "flips: any size, usually about one hexahedron per quad; construction: any size, at most "
          "25 hexahedra per quad, proven; auto: the first of these that can, or the next where that "
          "leaves fewer hexahedra not valid")
@@ -232,10 +233,12 @@ void add_mesh(CLI::App& app, Action& action) {
   hex->add_option("--sectors", options->sectors,
                   "Sectors of the construction [those beside the program]");
   add_report(*hex, *options);
-  hex->add_option("--effort", options->effort,
-                  fmt::format("Limit of the work to place interior vertices, about seconds on one "
-                              "core; 0: first places only [{}; 0 above {} hexahedra]",
-                              untangle::kDefaultEffort, hexahedrize::kSmallMesh))
+  hex->add_option(
+         "--effort", options->effort,
+         fmt::format("Limit of the work to place the interior vertices of each mesh tried, "
+                     "about seconds on one core; 0: first places only [{}; 0 above {} "
+                     "hexahedra]",
+                     untangle::kDefaultEffort, hexahedrize::kSmallMesh))
       ->check(CLI::Range(0, untangle::kMaxEffort));
   add_threads(*hex, options->threads);
   hex->footer("With -o - the summary, or the JSON, goes to standard error.\n" +

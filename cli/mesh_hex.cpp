@@ -117,6 +117,15 @@ std::string json_line(const MeshHexAccount& account, const quality::Report& repo
   return to_line(json);
 }
 
+/// For people whose mesh cannot be used as it is.
+std::string advice(const MeshHexOptions& options, const quality::Report& report) {
+  if (report.valid == report.cells) return "";
+  std::string others = options.layers == 0 ? "`--layers 1`, " : "";
+  if (options.method != "auto") others += "`--method auto`, ";
+  return "not all hexahedra are valid; more may be with " + others +
+         "a larger `--effort`, or smaller and more even quads\n";
+}
+
 std::string summary(const MeshHexAccount& account, const quality::Report& report,
                     const std::string& output) {
   const hexahedrize::Hexahedrized& made = account.made;
@@ -154,7 +163,7 @@ ExitCode deliver(const MeshHexOptions& options, const MeshHexAccount& account, d
   write_with_report(files, account.made.mesh,
                     [&] { return report_of(options, account, report, elapsed); });
   tell(files, options.json ? json_line(account, report, elapsed)
-                           : summary(account, report, options.output));
+                           : summary(account, report, options.output) + advice(options, report));
   return answer_for(report, options.require_valid);
 }
 

@@ -58,6 +58,12 @@ class Zones(MeshTest):
         ran = self.expect(0, self.mesh(surfaces.grid_cube(3), "--effort", "0"))
         self.assertIn("\n26 hexahedra zone by zone, the rest of 6 quads filled by the table; "
                       "0.50 hexahedra per quad\n", ran.out)
+        self.assertNotIn("not all", ran.out)
+        points, quads = surfaces.grid_cube(3)
+        ran = self.expect(0, self.mesh(([points[0]] * len(points), quads), "--effort", "0", "--method", "zones"))
+        self.assertTrue(ran.out.endswith(
+            "\nnot all hexahedra are valid; more may be with `--layers 1`, `--method auto`, a larger `--effort`, or "
+            "smaller and more even quads\n"), ran.out)
 
     def test_shafts(self):
         for core, *steps in program.share_of(((1, (1, 1)), (1, (1, 3)), (2, (3, 4)), (2, (2, 2), (1, 3)),
