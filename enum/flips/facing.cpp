@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <deque>
 #include <functional>
+#include <limits>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
@@ -157,8 +159,8 @@ bool is_sharp_on_both_sides(const Zone& zone, const Angles& angles) {
                      [&](Dart in) { return is_sharp_on_both_sides(in, angles); });
 }
 
-/// The longest runs of quads of a zone that are sharp on both sides, but not all of it; where they
-/// end enough is left of the cavity.
+/// The longest runs of quads of a zone that are sharp on both sides, without those where not enough
+/// is left of the cavity at an end. Requires that not all of the zone is sharp on both sides.
 std::vector<Zone> sharp_runs(Zone zone, const Angles& angles) {
   const auto is_sharp = [&](Dart in) { return is_sharp_on_both_sides(in, angles); };
   std::rotate(zone.begin(), std::find_if_not(zone.begin(), zone.end(), is_sharp), zone.end());
@@ -256,7 +258,8 @@ class Overhang {
     return true;
   }
 
-  /// Between two walls there is what the hexahedra at that edge have left of a full turn.
+  /// Between two walls that have come up there is what the hexahedra at that edge have left of a
+  /// full turn.
   void finish_walls(std::uint32_t first_wall) {
     for (Dart d = 4 * first_wall; d < angles_.size(); ++d)
       if (peeling_.is_live(d / 4) && angles_[d] == kUnknown)
@@ -264,7 +267,7 @@ class Overhang {
             std::max(kLeastLeft, kFullTurn - kRightAngle * quads_at_[peeling_.origin(d)]));
   }
 
-  static constexpr std::int16_t kUnknown = -1;
+  static constexpr std::int16_t kUnknown = std::numeric_limits<std::int16_t>::min();
   Peeling& peeling_;
   Angles& angles_;
   const Piece& piece_;
@@ -314,19 +317,16 @@ bool take_overhangs(Peeling& peeling, Angles& angles, Extent extent) {
   for_each_zone(peeling, [&](const Zone& zone) {
     if (extent == Extent::any || is_sharp_on_both_sides(zone, angles)) zones.push_back(zone);
   });
+  const auto take_one = [&](const Zone& zone) {
+    if (zone.empty() || crossings_of(zone, crossed) > 0) return false;
+    if (is_sharp_on_both_sides(zone, angles)) return take(zone);
+    if (extent == Extent::all_around) return false;
+    const std::vector<Zone> runs = sharp_runs(zone, angles);
+    return std::any_of(runs.begin(), runs.end(), take);
+  };
   bool is_any = false;
-  for (const Zone& former : zones) {
-    const Zone zone = what_is_left_of(former, peeling);
-    if (zone.empty() || crossings_of(zone, crossed) > 0) continue;
-    if (is_sharp_on_both_sides(zone, angles)) {
-      is_any |= take(zone);
-    } else if (extent == Extent::any) {
-      for (const Zone& run : sharp_runs(zone, angles))
-        is_any |=
-            std::all_of(run.begin(), run.end(), [&](Dart in) { return peeling.is_live(in / 4); }) &&
-            take(run);
-    }
-  }
+  for (const Zone& zone : zones)
+    while (take_one(what_is_left_of(zone, peeling))) is_any = true;
   return is_any;
 }
 

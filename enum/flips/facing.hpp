@@ -24,15 +24,15 @@ namespace hexatlas::flips {
 /// Which overhangs are taken.
 enum class Extent : std::uint8_t {
   all_around,  ///< from a whole zone on
-  any          ///< from a part of a zone, too, that does not cross itself
+  any          ///< from a run of quads of a zone, too, that are sharp on both sides
 };
 
 /// Takes off *overhangs*: hexahedra between two pieces of the boundary that are alike, flat, and
-/// joined by a zone as above, or by a part of one, up to where one of them bends inwards, all
+/// joined by a zone as above, or by a run of its quads, up to where one of them bends inwards, all
 /// around; as the rim of a plate on a neck, or a wall between two recesses. What comes up are
 /// walls, with a right angle less at either end, and among each other what the hexahedra there
-/// leave of a full turn. Tries each zone once, and says whether any was taken. Cost: as above, and
-/// linear for each overhang.
+/// leave of a full turn. Zones that come up are not tried. Says whether any was taken. Cost: as
+/// above, and linear in the quads for each that is tried.
 bool take_overhangs(Peeling& peeling, Angles& angles, Extent extent = Extent::all_around);
 
 }  // namespace hexatlas::flips

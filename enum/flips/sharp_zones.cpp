@@ -13,10 +13,14 @@ using Dart = Peeling::Dart;
 
 class SharpZones {
  public:
-  SharpZones(Peeling& peeling, Angles& angles, int within, ZoneOrder order, Rims rims)
-      : peeling_(peeling), angles_(angles), within_(within), order_(order), rims_(rims) {}
+  SharpZones(Peeling& peeling, Angles& angles, const SharpOptions& options)
+      : peeling_(peeling), angles_(angles), options_(options) {}
 
   std::size_t run() {
+    if (options_.only_one) {
+      std::vector<Candidate> all = candidates();
+      return std::any_of(all.begin(), all.end(), [this](Candidate& one) { return remove(one); });
+    }
     std::size_t removed = 0;
     for (std::vector<Candidate> all = candidates(); !all.empty(); all = candidates()) {
       const std::size_t before = removed;
@@ -41,7 +45,7 @@ class SharpZones {
     for_each_zone(peeling_, [&](const Zone& zone) {
       for (const Side side : {Side::left, Side::right}) {
         const auto quads = static_cast<double>(sharp_piece(zone, side).size());
-        const bool is_cheapest = order_ == ZoneOrder::cheapest;
+        const bool is_cheapest = options_.order == ZoneOrder::cheapest;
         if (quads > 0)
           result.push_back(
               {is_cheapest ? quads / static_cast<double>(rim_quads_) : -quads, zone, side});
@@ -83,29 +87,33 @@ class SharpZones {
           reach(beyond);
           continue;
         }
-        const bool ends = rims_ == Rims::several &&
+        const bool ends = options_.rims == Rims::several &&
                           add_rim(zone_from(peeling_, Peeling::next(beyond)), Side::left);
         if (!ends) return {};
         ++rims;
       }
     }
-    if (rims_ == Rims::several && rims == 1) return {};
+    if (options_.rims == Rims::several && rims == 1) return {};
     return piece_;
   }
 
-  /// Whether the piece may end at this zone, which then has met neither it nor its other rims.
+  /// Whether the piece may end at this zone: it is sharp there, and has no quad in common with the
+  /// piece so far or its other rims.
   [[nodiscard]] bool add_rim(const Zone& zone, Side side) {
     const bool ends_well = std::all_of(zone.begin(), zone.end(), [&](Dart in) {
       const Dart edge = rim(in, side);
-      return is_good(angles_[edge], within_) &&
+      return is_good(angles_[edge], options_.within) &&
              angles_[Peeling::opposite(edge)] - kRightAngle >= kLeastLeft;
     });
     if (!ends_well || crossings_of(zone, in_zone_) > 0 || !is_good_along(zone, side)) return false;
     for (const Dart in : zone)
       if (covered_.has(in / 4) || !rim_.add(in / 4)) return false;
     rim_quads_ += zone.size();
-    for (const Dart in : zone) reach(peeling_.twin(rim(in, side)));
-    return true;
+    return std::all_of(zone.begin(), zone.end(), [&](Dart in) {
+      const Dart beside = peeling_.twin(rim(in, side));
+      reach(beside);
+      return !rim_.has(beside / 4);
+    });
   }
 
   void reach(Dart d) {
@@ -132,9 +140,7 @@ class SharpZones {
 
   Peeling& peeling_;
   Angles& angles_;
-  int within_;
-  ZoneOrder order_;
-  Rims rims_;
+  SharpOptions options_;
   Marks in_zone_;                     ///< quads of the zone looked at
   Marks rim_;                         ///< quads of the zones where the piece ends
   Marks covered_;                     ///< quads of the piece
@@ -144,10 +150,9 @@ class SharpZones {
 
 }  // namespace
 
-std::size_t remove_sharp_zones(Peeling& peeling, Angles& angles, int within, ZoneOrder order,
-                               Rims rims) {
+std::size_t remove_sharp_zones(Peeling& peeling, Angles& angles, const SharpOptions& options) {
   expect_one_each(peeling, angles);
-  return SharpZones(peeling, angles, within, order, rims).run();
+  return SharpZones(peeling, angles, options).run();
 }
 
 }  // namespace hexatlas::flips

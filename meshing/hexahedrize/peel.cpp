@@ -207,8 +207,8 @@ std::optional<PeeledMesh> joined_as_layer(const Stage& stage,
 struct SharpOrder {
   flips::ZoneOrder zones{};
   bool overhangs_first = false;
-  /// Layers around recesses before any other, which could end at the floor or the wall of one:
-  /// angles do not tell.
+  /// Layers around recesses, and overhangs of any extent, before any other layer: that could end at
+  /// the floor or the wall of one, which angles do not tell.
   bool recesses_first = false;
 };
 
@@ -225,8 +225,8 @@ std::vector<SharpOrder> sharp_orders() {
 std::optional<std::vector<complex::Hexahedron>> take_all_sharp(Peeling& peeling,
                                                                flips::Angles angles, int within,
                                                                const SharpOrder& order) {
-  const auto remove = [&](int now, flips::Rims rims) {
-    return flips::remove_sharp_zones(peeling, angles, now, order.zones, rims) > 0;
+  const auto remove = [&](const flips::SharpOptions& options) {
+    return flips::remove_sharp_zones(peeling, angles, options) > 0;
   };
   const auto overhangs = [&] {
     return flips::take_overhangs(
@@ -237,9 +237,12 @@ std::optional<std::vector<complex::Hexahedron>> take_all_sharp(Peeling& peeling,
     before = peeling.quads();
     for (const int at_most : {flips::kRightAtRim, flips::kSharpAtRim, within}) {
       const int now = std::min(at_most, within);
-      while (order.recesses_first && (remove(now, flips::Rims::several) || overhangs())) {
+      // Each takes hexahedra off, overhangs without new vertices: it ends.
+      while (order.recesses_first &&
+             (remove({now, order.zones, flips::Rims::several}) || overhangs() ||
+              remove({now, order.zones, flips::Rims::one, true}))) {
       }
-      remove(now, flips::Rims::one);
+      remove({now, order.zones});
       if (auto layer = flips::single_layer(peeling, angles)) return layer;
     }
     overhangs();

@@ -104,7 +104,7 @@ TEST(SharpZones, GoInTheOrderAskedFor) {
     Angles angles = all(peeling, 180);
     for (Peeling::Dart d = 0; d < angles.size(); ++d)
       if (face_of(d / 4) != face_of(peeling.twin(d) / 4)) angles[d] = 90;
-    EXPECT_EQ(flips::remove_sharp_zones(peeling, angles, flips::kRightAtRim, order), 7U);
+    EXPECT_EQ(flips::remove_sharp_zones(peeling, angles, {flips::kRightAtRim, order}), 7U);
     EXPECT_EQ(peeling.quads(), 6U);
     // The first layer is below all quads of one face, so it has all its vertices twice.
     std::set<VertexId> of_layer;

@@ -129,17 +129,21 @@ std::set<Place> without(const Place& size, const std::vector<Box>& recesses) {
 }
 
 /// A pocket; two of different depths; one in the floor of another; from both sides; with a wider
-/// place below; with a column in it; several with walls between them, and to the outside, that are
-/// one cube thick, so that no layer around one ends well.
+/// place below; with a column in it; beside a boss; several with walls between them, and to the
+/// outside, that are one cube thick, so that no layer around one ends well.
 std::vector<std::set<Place>> bodies_with_recesses() {
   auto with_column = without({5, 5, 3}, {{{1, 1, 1}, {4, 4, 3}}});
   with_column.insert({{2, 2, 1}, {2, 2, 2}});
+  auto with_boss = without({9, 5, 4}, {{{1, 1, 2}, {3, 3, 4}}});
+  for (const int x : {5, 6})
+    for (const int y : {2, 3}) with_boss.insert({x, y, 4});
   return {without({3, 3, 2}, {{{1, 1, 1}, {2, 2, 2}}}),
           without({7, 4, 4}, {{{1, 1, 2}, {3, 3, 4}}, {{4, 1, 1}, {6, 2, 4}}}),
           without({6, 5, 5}, {{{1, 1, 3}, {5, 4, 5}}, {{2, 2, 1}, {3, 3, 3}}}),
           without({4, 4, 6}, {{{1, 1, 4}, {3, 3, 6}}, {{1, 1, 0}, {3, 3, 3}}}),
           without({6, 6, 6}, {{{2, 2, 3}, {4, 4, 6}}, {{1, 1, 3}, {5, 5, 4}}}),
           with_column,
+          with_boss,
           without({6, 8, 7}, {{{2, 0, 1}, {5, 1, 2}},
                               {{3, 0, 1}, {4, 2, 4}},
                               {{0, 1, 1}, {1, 5, 3}},
@@ -239,8 +243,8 @@ TEST(SharpZones, MayEndAtSeveralZones) {
   Peeling peeling(body.sphere.quads, body.sphere.vertices());
   flips::Angles angles = hexahedrize::interior_angles(peeling, body.points);
   const auto remove = [&](flips::Rims rims) {
-    const std::size_t removed = flips::remove_sharp_zones(peeling, angles, flips::kRightAtRim,
-                                                          flips::ZoneOrder::cheapest, rims);
+    const std::size_t removed =
+        flips::remove_sharp_zones(peeling, angles, {.within = flips::kRightAtRim, .rims = rims});
     support::expect_consistent(peeling);
     expect_right_angles(peeling, angles);
     return removed;
