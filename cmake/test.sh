@@ -83,13 +83,14 @@ build() { # PRESET [TARGET...]
     ${1:+--target "$@"}
 }
 
-run_tests() { # PRESET [CTEST OPTION...]
-  local preset=$1 report="$results/ctest-$1.xml"
+run_tests() { # PRESET LABEL...
+  local preset=$1 report="$results/ctest-$1.xml" labels
   shift
-  say "ctest $preset $*"
+  labels="^($(IFS='|' && echo "$*"))\$"
+  say "ctest $preset $labels"
   # One more than there are processors, since some wait for a disk or a browser.
   if fixed_layout ctest --test-dir "build/$preset" --parallel $((jobs + 1)) --timeout 900 \
-    --output-on-failure --no-tests=error --output-junit "$report" "$@" \
+    --output-on-failure --no-tests=error --output-junit "$report" --label-regex "$labels" \
     >"$results/ctest-$preset.log" 2>&1; then
     return 0
   fi
@@ -110,7 +111,7 @@ run_sanitized() { # PRESET LABEL...
     step "same-tests-$preset-$label" \
       diff "build/release/tests_$label.txt" "build/$preset/tests_$label.txt" || true
   done
-  GTEST_OUTPUT=xml:$results/ run_tests "$preset" --label-regex "^($(IFS='|' && echo "$*"))\$"
+  GTEST_OUTPUT=xml:$results/ run_tests "$preset" "$@"
 }
 
 # The libraries and the program: for `all` the units that build/release compiles, which are joined
@@ -183,7 +184,7 @@ if [[ $is_built == yes ]]; then
     --target all_verify_interface_header_sets; then
     record headers passed
   fi
-  run_tests release --label-regex "^($(IFS='|' && echo "${released[*]}"))\$"
+  run_tests release "${released[@]}"
   if [[ ${HEXATLAS_TIDY:-all} != off ]] && step clang-tidy tidy "${HEXATLAS_TIDY:-all}"; then
     record clang-tidy passed
   fi

@@ -1,6 +1,7 @@
 #include "enum/flips/sharp_zones.hpp"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "enum/flips/pillow.hpp"
@@ -60,7 +61,7 @@ class SharpZones {
   bool remove(Candidate& candidate) {
     const Zone zone = what_is_left_of(candidate.zone, peeling_);
     if (zone.empty()) return false;
-    const std::vector<std::uint32_t> quads = sharp_piece(zone, candidate.side);
+    const std::span<const std::uint32_t> quads = sharp_piece(zone, candidate.side);
     if (quads.empty()) return false;
     const Dart behind = peeling_.twin(Peeling::opposite(rim(zone.front(), candidate.side)));
     if (!take_layer(peeling_, quads, angles_)) return false;
@@ -70,13 +71,12 @@ class SharpZones {
   }
 
   /// The quads on that side of a zone, up to the other zones where the piece has to end; empty if a
-  /// zone is not sharp there, or these are not as many as are asked for.
-  [[nodiscard]] std::vector<std::uint32_t> sharp_piece(const Zone& zone, Side side) {
+  /// zone is not sharp there, or these are not as many as are asked for. Valid until the next call.
+  [[nodiscard]] std::span<const std::uint32_t> sharp_piece(const Zone& zone, Side side) {
     rim_.clear();
     covered_.clear();
     piece_.clear();
     rim_quads_ = 0;
-    std::size_t rims = 1;
     if (!add_rim(zone, side)) return {};
     for (std::size_t seen = 0; seen < piece_.size();) {
       const std::uint32_t q = piece_[seen++];
@@ -90,10 +90,9 @@ class SharpZones {
         const bool ends = options_.rims == Rims::several &&
                           add_rim(zone_from(peeling_, Peeling::next(beyond)), Side::left);
         if (!ends) return {};
-        ++rims;
       }
     }
-    if (options_.rims == Rims::several && rims == 1) return {};
+    if (options_.rims == Rims::several && rim_quads_ == zone.size()) return {};
     return piece_;
   }
 

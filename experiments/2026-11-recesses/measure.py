@@ -53,26 +53,15 @@ def random_pockets(seed):
             low[k] = rng.randint(1, size[k] - 1 - width) if k != deep else size[k] - width if is_from_above else 0
             high[k] = low[k] + width
         cubes -= box(low, high)
-    surface = surfaces.of_cubes(cubes)
-    return (surface, len(cubes)) if swept.is_sphere(surface) and len(surface[1]) >= 24 else None
+    return swept.body_of(cubes)
 
 
 def bodies(count):
     """Names, surfaces, and the hexahedra of the body made of layers."""
     yield from named()
-    for seed in range(count):
-        yield f"holes {seed}", *random_hole(seed)
-    found = ((seed, random_pockets(seed)) for seed in itertools.count())
-    for seed, body in itertools.islice(((seed, body) for seed, body in found if body), count):
-        yield f"pockets {seed}", *body
-
-
-def main():
-    program, count = sys.argv[1], int(sys.argv[2])
-    print(*swept.COLUMNS, sep="\t")
-    for body in bodies(count):
-        print(*swept.line(program, *body), sep="\t", flush=True)
+    yield from swept.random_bodies("holes", random_hole, count)
+    yield from swept.random_bodies("pockets", random_pockets, count)
 
 
 if __name__ == "__main__":
-    main()
+    swept.main(bodies)

@@ -1,14 +1,5 @@
 #!/usr/bin/env bash
-# Bodies with recesses, random ones and some with names. Needs a release build. BODIES: how many random ones of
-# either kind; fewer give the first lines of the same table.
+# Bodies with recesses, random ones and some with names; as ../2026-11-swept-bodies/run.sh.
 set -euo pipefail
 cd "$(dirname "$0")"
-program="$(realpath "${PROGRAM:-../../build/release/hexatlas}")"
-commit="$(git -C ../.. describe --always --dirty --abbrev=12)"
-work="$(mktemp -d)"
-trap 'rm -rf "$work"' EXIT
-export PYTHONDONTWRITEBYTECODE=1
-
-python3 measure.py "$program" "${BODIES:-60}" >"$work/result.tsv"
-mv "$work/result.tsv" result.tsv
-echo "$commit" >provenance.txt
+exec bash ../2026-11-swept-bodies/run.sh "$PWD"

@@ -4,6 +4,7 @@
 usage: measure.py PROGRAM COUNT    COUNT random shafts and COUNT random unions of boxes
 """
 import collections
+import itertools
 import json
 import os
 import random
@@ -33,6 +34,12 @@ def is_sphere(surface):
     return set(edges.values()) == {2} and len(points) - len(edges) + len(quads) == 2
 
 
+def body_of(cubes):
+    """The surface and the number of these cubes; None unless it is a sphere of some size."""
+    surface = surfaces.of_cubes(cubes)
+    return (surface, len(cubes)) if is_sphere(surface) and len(surface[1]) >= 24 else None
+
+
 def random_union(seed):
     """Of two to five boxes of one to five cubes along each axis, each at a cube of the others; None unless a sphere."""
     rng, cubes = random.Random(seed), set()
@@ -42,8 +49,14 @@ def random_union(seed):
         low = [at[k] - rng.randint(0, size[k] - 1) for k in range(3)]
         cubes |= {(low[0] + x, low[1] + y, low[2] + z)
                   for x in range(size[0]) for y in range(size[1]) for z in range(size[2])}
-    surface = surfaces.of_cubes(cubes)
-    return (surface, len(cubes)) if is_sphere(surface) and len(surface[1]) >= 24 else None
+    return body_of(cubes)
+
+
+def random_bodies(name, make, count):
+    """The first so many seeds that give a body."""
+    made = ((seed, make(seed)) for seed in itertools.count())
+    for seed, body in itertools.islice(((seed, body) for seed, body in made if body), count):
+        yield f"{name} {seed}", *body
 
 
 def bodies(count):
@@ -54,15 +67,8 @@ def bodies(count):
         yield name, surface, sum(of_layers)
     for n in (3, 5, 10, 20):
         yield f"ball {n}", surfaces.ball(n), n ** 3
-    for seed in range(count):
-        yield f"shaft {seed}", *random_shaft(seed)
-    found, seed = 0, 0
-    while found < count:
-        union = random_union(seed)
-        if union:
-            yield f"boxes {seed}", *union
-            found += 1
-        seed += 1
+    yield from random_bodies("shaft", random_shaft, count)
+    yield from random_bodies("boxes", random_union, count)
 
 
 def line(program, name, surface, hexahedra):
@@ -77,12 +83,12 @@ def line(program, name, surface, hexahedra):
             f"{said['min_scaled_jacobian']:.3f}", f"{said['mean_scaled_jacobian']:.3f}", said["cavity_filled_by"])
 
 
-def main():
+def main(bodies_of):
     program, count = sys.argv[1], int(sys.argv[2])
     print(*COLUMNS, sep="\t")
-    for body in bodies(count):
+    for body in bodies_of(count):
         print(*line(program, *body), sep="\t", flush=True)
 
 
 if __name__ == "__main__":
-    main()
+    main(bodies)

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Swept bodies and stacks of them, random ones and some with names. Needs a release build. BODIES: how many random ones of
-# either kind; fewer give the first lines of the same table.
+# either kind; fewer give the first lines of the same table. FOLDER: of another experiment with a measure.py alike.
+# usage: run.sh [FOLDER]
 set -euo pipefail
-cd "$(dirname "$0")"
+cd "${1:-$(dirname "$0")}"
 program="$(realpath "${PROGRAM:-../../build/release/hexatlas}")"
 commit="$(git -C ../.. describe --always --dirty --abbrev=12)"
 work="$(mktemp -d)"

@@ -237,12 +237,14 @@ std::optional<std::vector<complex::Hexahedron>> take_all_sharp(Peeling& peeling,
     before = peeling.quads();
     for (const int at_most : {flips::kRightAtRim, flips::kSharpAtRim, within}) {
       const int now = std::min(at_most, within);
-      // Each takes hexahedra off, overhangs without new vertices: it ends.
-      while (order.recesses_first &&
-             (remove({now, order.zones, flips::Rims::several}) || overhangs() ||
-              remove({now, order.zones, flips::Rims::one, true}))) {
+      if (order.recesses_first) {
+        // Each takes hexahedra off, overhangs without new vertices: it ends.
+        while (remove({now, order.zones, flips::Rims::several}) || overhangs() ||
+               remove({now, order.zones, flips::Rims::one, true})) {
+        }
+      } else {
+        remove({now, order.zones});
       }
-      remove({now, order.zones});
       if (auto layer = flips::single_layer(peeling, angles)) return layer;
     }
     overhangs();

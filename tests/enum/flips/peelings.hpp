@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "enum/complex/quad_surface.hpp"
+#include "enum/flips/angles.hpp"
 #include "enum/flips/peeling.hpp"
 
 namespace hexatlas::support {
@@ -86,6 +87,12 @@ inline void expect_consistent(const Peeling& peeling) {
   const Seen now = seen(peeling);
   ASSERT_EQ(now.degrees, degree);
   ASSERT_EQ(now.related, related);
+}
+
+inline void expect_same_at_twins(const Peeling& peeling, const flips::Angles& angles) {
+  ASSERT_EQ(angles.size(), 4 * std::size_t{peeling.quad_numbers()});
+  for (const std::uint32_t q : peeling.live_quads())
+    for (Peeling::Dart d = 4 * q; d < 4 * q + 4; ++d) ASSERT_EQ(angles[d], angles[peeling.twin(d)]);
 }
 
 struct Choice {

@@ -30,6 +30,7 @@ using complex::QuadSphere;
 using complex::VertexId;
 using flips::Angles;
 using flips::Peeling;
+using support::expect_same_at_twins;
 using support::peeling_of;
 using support::Tower;
 
@@ -49,12 +50,6 @@ Angles angles_of(const Tower& tower, const Peeling& peeling) {
       angles[d] = 90;
   }
   return angles;
-}
-
-void expect_same_at_twins(const Peeling& peeling, const Angles& angles) {
-  ASSERT_EQ(angles.size(), 4 * std::size_t{peeling.quad_numbers()});
-  for (const std::uint32_t q : peeling.live_quads())
-    for (Peeling::Dart d = 4 * q; d < 4 * q + 4; ++d) ASSERT_EQ(angles[d], angles[peeling.twin(d)]);
 }
 
 /// Of block({5, 3, 2}): three times two faces.
