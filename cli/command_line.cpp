@@ -174,9 +174,18 @@ void add_code(CLI::App& app, Action& action) {
   auto* command =
       app.add_subcommand("code", "Canonical code and symmetry of a quadrangulated sphere");
   auto options = std::make_shared<CodeOptions>();
-  command->add_option("SURFACE", options->surface, "Quad surface, at most 64 quads")->required();
-  command->add_flag("--json", options->json, "Print one JSON object");
-  command->footer(example("hexatlas code pyramid.obj"));
+  command
+      ->add_option(
+          "FILE", options->input,
+          "Quad surface, at most 64 quads; or a list of quadrangulations in planar_code, with "
+          "the header of this format or named *.planar_code: the code of each, in its order")
+      ->required();
+  command->add_flag("--json", options->json,
+                    "Print one JSON object; of a list one for each, a line each");
+  command->footer(
+      "Examples:\n"
+      "  hexatlas code pyramid.obj\n"
+      "  hexatlas code quads14.planar_code\n");
   command->callback([options, &action] { action = [options] { return code(*options); }; });
 }
 

@@ -138,7 +138,7 @@ struct CheckOptions {
 [[nodiscard]] ExitCode check(const CheckOptions& options);
 
 struct CodeOptions {
-  std::string surface;
+  std::string input;  ///< a quad surface or a list in planar_code
   bool json = false;
 };
 [[nodiscard]] ExitCode code(const CodeOptions& options);

@@ -216,9 +216,9 @@ ExitCode write_certificate(const EnumHexmeshesOptions& options, const hexes::Sea
 /// The search goes on where the file says, or begins.
 HexFrontier frontier_of(const EnumHexmeshesOptions& options, const hexes::HexmeshProblem& problem,
                         const build::HexmeshTask& task) {
+  static_cast<void>(stop_requested());  // a large saved search takes a while to read
   if (!options.state.empty() && is_there(options.state))
-    return build::frontier_from(core::read_file(options.state, core::kMaxStateBytes), task,
-                                options.state);
+    return build::frontier_from(core::read_state(options.state), task, options.state);
   return problem.begin(task.part, task.parts);
 }
 

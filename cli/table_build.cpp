@@ -77,7 +77,7 @@ build::TableSearch::Origins origins_of(const format::Table& table) {
 using TableOrSearch = std::variant<format::Table, std::string>;
 
 TableOrSearch read_start(const std::string& file) {
-  std::string bytes = core::read_file(file, core::kMaxStateBytes);
+  std::string bytes = core::read_state(file);
   if (build::TableSearch::is_saved(bytes)) return bytes;
   return format::Table::from_bytes(std::move(bytes), file);
 }
@@ -131,6 +131,7 @@ build::TableSearch begin_with(const std::vector<std::string>& files,
 }
 
 build::TableSearch begin(const TableBuildOptions& options) {
+  static_cast<void>(stop_requested());  // a large saved search takes a while to read
   std::vector<canon::Code> targets = boundaries(options);
   expect_nothing_lost(options, targets);
   const build::SearchOptions search = search_options(options);
@@ -140,8 +141,8 @@ build::TableSearch begin(const TableBuildOptions& options) {
           fmt::format("note: {} goes on with what it has; only a new search begins with what "
                       "--start-from names",
                       options.state));
-    return build::TableSearch::from_bytes(core::read_file(options.state, core::kMaxStateBytes),
-                                          std::move(targets), search, options.state);
+    return build::TableSearch::from_bytes(core::read_state(options.state), std::move(targets),
+                                          search, options.state);
   }
   if (options.so_far)
     throw core::InvalidInput(options.state, "is not there: there is no search so far");

@@ -40,9 +40,10 @@ bool is_there(const std::string& path) {
 
 std::string table_path(const std::string& asked_for) {
   if (!asked_for.empty()) return asked_for;
-  return shipped("hexatlas.hxt",
-                 "the table that comes with the program is not there; name one with --table, or "
-                 "make one with `hexatlas table build`");
+  return shipped(
+      "hexatlas.hxt",
+      "the table that comes with the program is not there; name another one, as TABLE or with "
+      "--table, or make one with `hexatlas table build`");
 }
 
 format::Table open_table(const std::string& asked_for) {

@@ -74,9 +74,10 @@ ExitCode table_info(const TableInfoOptions& options) {
     print(to_line(json));
     return ExitCode::yes;
   }
-  std::string text = fmt::format(
-      "{}: {} meshes, {} bytes, sha256 {}\n\n{:>5} {:>8} {:>6} {:>8} {:>6}\n", table.path(),
-      table.size(), table.bytes(), table.sha256(), "quads", "meshes", "least", "mean", "most");
+  std::string text =
+      fmt::format("{}: {}, {} bytes, sha256 {}\n\n{:>5} {:>8} {:>6} {:>8} {:>6}\n", table.path(),
+                  counted(table.size(), "mesh", "meshes"), table.bytes(), table.sha256(), "quads",
+                  "meshes", "least", "mean", "most");
   for (const format::Tally& t : format::tally_of(table))
     text += fmt::format("{:>5} {:>8} {:>6} {:>8.2f} {:>6}\n", t.quads, t.entries, t.least,
                         static_cast<double>(t.total) / static_cast<double>(t.entries), t.greatest);

@@ -135,18 +135,27 @@ std::optional<std::filesystem::path> to_replace(const std::string& path) {
   return target;
 }
 
-}  // namespace
-
-std::string read_file(const std::string& path, std::uint64_t most) {
+std::string read_from(const std::string& path, std::uint64_t most, bool only_regular) {
   if (path == "-") return read_all(STDIN_FILENO, "standard input", most);
-  const Descriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const int at_once = only_regular ? O_NONBLOCK : 0;  // else a pipe waits for its writer
+  const Descriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | at_once));
   if (fd.get() < 0) throw InvalidInput(path, "cannot be opened: " + system_message());
   struct stat status {};
   if (::fstat(fd.get(), &status) != 0)
     throw InvalidInput(path, "cannot be read: " + system_message());
   if (S_ISDIR(status.st_mode)) throw InvalidInput(path, "is a directory");
+  if (only_regular && !S_ISREG(status.st_mode)) throw InvalidInput(path, "is not a regular file");
   const bool has_size = S_ISREG(status.st_mode) && status.st_size > 0;
   return read_all(fd.get(), path, most, has_size ? static_cast<std::uint64_t>(status.st_size) : 0);
+}
+
+}  // namespace
+
+std::string read_file(const std::string& path) { return read_from(path, kMaxFileBytes, false); }
+
+std::string read_state(const std::string& path) {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 44U;
+  return read_from(path, kMost, true);
 }
 
 void write_file(const std::string& path, std::string_view bytes) {

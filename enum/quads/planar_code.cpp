@@ -3,6 +3,7 @@
 #include <array>
 #include <bitset>
 #include <optional>
+#include <vector>
 
 #include "enum/core/errors.hpp"
 
@@ -142,11 +143,10 @@ void append_planar_code(const Quadrangulation& q, std::string& bytes) {
   }
 }
 
-std::vector<Quadrangulation> read_planar_code(std::string_view bytes, const std::string& name) {
+void for_each_in_planar_code(std::string_view bytes, const std::string& name,
+                             const std::function<void(const Quadrangulation&)>& visit) {
   Reader reader(bytes, name);
-  std::vector<Quadrangulation> result;
-  while (auto q = reader.next()) result.push_back(*q);
-  return result;
+  while (const auto q = reader.next()) visit(*q);
 }
 
 }  // namespace hexatlas::quads

@@ -87,7 +87,7 @@ class Usage(program.ProgramTest):
         self.wrong("mesh", "hex", "a.obj", "b.obj", "-o", "b.vtk", said=("`b.obj`",))
         self.wrong("check", said=("FILE",))
         self.wrong("check", "a.vtk", "--boundary", said=("--boundary",))
-        self.wrong("code", said=("SURFACE",))
+        self.wrong("code", said=("FILE",))
         self.wrong("table", "get", said=("--name", "--code"))
         self.wrong("table", "get", "--name", "cube", "--code", "q1:08a5df", said=("--code",))
         self.wrong("table", "build", said=("--output",))

@@ -70,6 +70,12 @@ def is_simple_quadrangulation(graph):
     return len(edges) == 4 * (len(graph) - 2)
 
 
+def mirrored(graph):
+    """In planar_code, with the vertices counted from the last one."""
+    around = [[len(graph) - w for w in reversed(neighbours)] for neighbours in reversed(graph)]
+    return bytes([len(graph)]) + b"".join(bytes(neighbours) + b"\0" for neighbours in around)
+
+
 class QuadrangulationsTest(program.ProgramTest):
     def enum(self, *arguments, code=0):
         return self.expect(code, self.hexatlas("enum", "quadrangulations", *arguments))
@@ -130,6 +136,36 @@ class QuadrangulationsTest(program.ProgramTest):
                                               "-o", "-")).out.splitlines()
         self.assertEqual((len(simple), len(set(simple))), (18, 18))
         self.expect(2, self.hexatlas("enum", "quadrangulations", "--quads", "6", "--codes"))
+
+    def test_lists_are_read_again(self):
+        for name, quads in (("3-connected", 14), ("min-degree-3", 12), ("simple", 7)):
+            where = ("--quads", str(quads), "--class", name, "-o", "-")
+            expected = self.enum(*where, "--codes").out.splitlines()
+            self.enum(*where[:-1], "list")
+            self.assertEqual(self.expect(0, self.hexatlas("code", "list")).out.splitlines(), expected)
+            ran = self.hexatlas("code", "-", "--json", stdin=self.read("list"))
+            said = [json.loads(line) for line in self.expect(0, ran).out.splitlines()]
+            self.assertEqual([row["code"] for row in said], expected)
+            if name != "simple":
+                self.assertEqual({row["three_connected"] for row in said}, {True} if name == "3-connected" else {True, False})
+            self.assertEqual(self.counts(*where[:-2])["rooted_sum"],
+                             sum(8 * row["quads"] // row["automorphisms"] for row in said))
+            # Mirror images with other names, in reversed order and without the header.
+            self.write("again.planar_code", b"".join(map(mirrored, reversed(graphs(self.read("list"))))))
+            self.assertEqual(self.expect(0, self.hexatlas("code", "again.planar_code")).out.splitlines(), expected[::-1])
+        self.write("empty", HEADER)
+        self.assertEqual(self.expect(0, self.hexatlas("code", "empty")).out, "")
+
+    def test_lists_that_are_damaged_are_refused(self):
+        self.enum("--quads", "10", "-o", "list")
+        whole = self.read("list")
+        for name, data, words in (("cut", whole[:-1], "graph 3: the file ends inside this graph"),
+                                  ("changed", whole[:-2] + b"\x0d\0", "graph 3: vertex 12 has the neighbour 13"),
+                                  ("x.planar_code", b"\4\2\3\4\0\1\4\3\0\1\2\4\0\1\3\2\0", "graph 1: ")):
+            self.write(name, data)
+            ran = self.hexatlas("code", name)
+            self.expect_fault(ran, name)
+            self.assertIn(f"{name}: {words}", ran.err)
 
     def test_list_on_standard_output(self):
         self.enum("--quads", "10", "-o", "list")

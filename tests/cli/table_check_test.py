@@ -157,6 +157,12 @@ class Census(Besides, UnclaimedTest):
         write_census(census, digest, CENSUS_ROWS)
         ran = self.expect(0, self.hexatlas("table", "check", "small.hxt"))
         self.assertIn("; as its census says\n", ran.out)
+        os.rename(census, self.path("kept"))
+        for link in (False, True):  # the link leads to nothing
+            if link:
+                os.symlink("nowhere", census)
+            self.assertIn("; no census beside it\n", self.expect(0, self.hexatlas("table", "check", "small.hxt")).out)
+        os.rename(self.path("kept"), census)
         two, one = CENSUS_ROWS
         for name, rows, said in (
                 ("a row less", [one], "1 row"),

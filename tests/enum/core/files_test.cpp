@@ -1,7 +1,7 @@
 // Claim. write_file() replaces a file wholly or leaves what was there, leaves no temporary file,
-// and names the party to blame; read_file() returns the bytes; expect_writable() refuses what
-// write_file() refuses and changes nothing. Oracle. The file system itself, read with std::ifstream
-// and listed with std::filesystem; for expect_writable(), write_file().
+// and names the party to blame; read_file() and read_state() return the bytes; expect_writable()
+// refuses what write_file() refuses and changes nothing. Oracle. The file system itself, read with
+// std::ifstream and listed with std::filesystem; for expect_writable(), write_file().
 #include "enum/core/files.hpp"
 
 #include <gtest/gtest.h>
@@ -132,6 +132,15 @@ TEST_F(Files, AFileLargerThanTheLimitIsRefusedBeforeItIsRead) {
   if (error) GTEST_SKIP() << "no files of this size here";
   EXPECT_EQ(message_of<InvalidInput>([&] { static_cast<void>(core::read_file(path("a"))); }),
             path("a") + ": is larger than 4 GiB");
+}
+
+TEST_F(Files, AStateIsARegularFileOfAnySize) {
+  { std::ofstream(path("a")) << "x"; }
+  EXPECT_EQ(core::read_state(path("a")), "x");
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  for (const std::string& endless : {path("pipe"), std::string("/dev/zero")})
+    EXPECT_EQ(message_of<InvalidInput>([&] { static_cast<void>(core::read_state(endless)); }),
+              endless + ": is not a regular file");
 }
 
 TEST_F(Files, NewOnesHaveTheUsualPermissions) {

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "enum/core/errors.hpp"
 #include "enum/quads/generate.hpp"
@@ -41,9 +43,16 @@ std::string bytes_of(const Quadrangulation& q) {
   return bytes;
 }
 
+std::vector<Quadrangulation> read_all(const std::string& bytes, const std::string& name) {
+  std::vector<Quadrangulation> result;
+  quads::for_each_in_planar_code(bytes, name,
+                                 [&](const Quadrangulation& q) { result.push_back(q); });
+  return result;
+}
+
 std::string reason(const std::string& bytes) {
   try {
-    static_cast<void>(quads::read_planar_code(bytes, "some.pc"));
+    static_cast<void>(read_all(bytes, "some.pc"));
   } catch (const core::InvalidInput& error) {
     return error.what();
   }
@@ -55,7 +64,7 @@ TEST(PlanarCode, ListsAreClockwise) {
   for (int n = 2; n <= 8; ++n) {
     if (n > 2) level = support::grown(level);
     for (const auto& [code, map] : level) {
-      const auto read = quads::read_planar_code(bytes_of(map), "a");
+      const auto read = read_all(bytes_of(map), "a");
       ASSERT_EQ(read.size(), 1U);
       EXPECT_EQ(cycles(read[0]), cycles(support::quadrangulation(map)));
     }
@@ -78,7 +87,7 @@ TEST(PlanarCode, RoundTrip) {
                         }
                       });
     EXPECT_GT(chiral, 10);
-    const auto read = quads::read_planar_code(file, "a");
+    const auto read = read_all(file, "a");
     ASSERT_EQ(read.size(), written.size());
     std::string again(header);
     for (std::size_t i = 0; i < read.size(); ++i) {
@@ -87,8 +96,8 @@ TEST(PlanarCode, RoundTrip) {
     }
     EXPECT_EQ(again, file);
   }
-  EXPECT_TRUE(quads::read_planar_code("", "a").empty());
-  EXPECT_TRUE(quads::read_planar_code(quads::kPlanarCodeHeader, "a").empty());
+  EXPECT_TRUE(read_all("", "a").empty());
+  EXPECT_TRUE(read_all(std::string(quads::kPlanarCodeHeader), "a").empty());
 }
 
 TEST(PlanarCode, LargestGraph) {
@@ -97,7 +106,7 @@ TEST(PlanarCode, LargestGraph) {
     list[i] = {64, static_cast<complex::Vertex>(i), 65,
                static_cast<complex::Vertex>((i + 1) % list.size())};
   const auto q = Quadrangulation::from_quads(list).value();
-  EXPECT_EQ(cycles(quads::read_planar_code(bytes_of(q), "a").at(0)), cycles(q));
+  EXPECT_EQ(cycles(read_all(bytes_of(q), "a").at(0)), cycles(q));
 }
 
 TEST(PlanarCode, EveryTruncationIsRefused) {
@@ -127,7 +136,7 @@ TEST(PlanarCode, ChangedBytesAreRefusedOrAreAnotherQuadrangulation) {
   std::size_t refused = 0;
   const auto try_file = [&refused](const std::string& bytes) {
     try {
-      for (const auto& q : quads::read_planar_code(bytes, "a")) {
+      for (const auto& q : read_all(bytes, "a")) {
         EXPECT_FALSE(q.validate());
         EXPECT_FALSE(complex::broken_law(q.list_of_quads()));
       }
