@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "cli/output.hpp"
@@ -10,6 +11,8 @@
 #include "enum/canon/code.hpp"
 #include "enum/complex/quad_surface.hpp"
 #include "enum/core/errors.hpp"
+#include "enum/core/files.hpp"
+#include "enum/quads/planar_code.hpp"
 #include "meshing/hexahedrize/hexahedrize.hpp"
 #include "meshing/hexahedrize/small_form.hpp"
 #include "meshing/io/mesh_files.hpp"
@@ -18,23 +21,39 @@
 namespace hexatlas::cli {
 namespace {
 
-canon::Code code_of_surface(const std::string& file) {
-  const complex::QuadSphere sphere = hexahedrize::sphere_of(io::read_surface(file), file);
-  const auto boundary = hexahedrize::small_form(sphere);
-  if (!boundary) throw core::InvalidInput(file, "has more than 64 quads, too many for a search");
-  return canon::canonical_form(*boundary).code;
+using complex::Quadrangulation;
+
+Quadrangulation surface_in(std::string_view bytes, const std::string& path,
+                           const std::string& name) {
+  const io::FileFormat format = path == "-" ? io::detect_format(bytes, name, io::Content::surface)
+                                            : io::format_of_path(path, io::Content::surface);
+  const complex::QuadSphere sphere =
+      hexahedrize::sphere_of(io::parse_surface(bytes, format, name), name);
+  if (const auto boundary = hexahedrize::small_form(sphere)) return *boundary;
+  throw core::InvalidInput(name, "has more than 64 quads, the most that have codes");
+}
+
+canon::Code code_of_file(const std::string& file) {
+  std::vector<canon::Code> codes;
+  for_each_quadrangulation_in(
+      file, [&](const Quadrangulation& q) { codes.push_back(canon::canonical_form(q).code); });
+  if (codes.size() == 1) return codes.front();
+  throw core::InvalidInput(
+      input_name(file), fmt::format("has {} quadrangulations where one is wanted; `hexatlas code` "
+                                    "gives their codes",
+                                    codes.size()));
 }
 
 canon::Code code_from(const std::string& text) {
   if (const auto* named = build::named_boundary(text)) return canon::from_text(named->code).value();
   if (const auto code = canon::from_text(text)) return *code;
-  if (is_there(text) || text == "-") return code_of_surface(text);
+  if (is_there(text) || text == "-") return code_of_file(text);
   throw core::InvalidInput(
       text, "is no name of a boundary, no code, and no file; `hexatlas table info` lists names");
 }
 
 /// As complex::reason_against_filling says it, for words whose graph need not be simple.
-std::optional<std::string> reason_against_filling(const complex::Quadrangulation& boundary) {
+std::optional<std::string> reason_against_filling(const Quadrangulation& boundary) {
   const std::vector<complex::QuadVertices> quads = boundary.list_of_quads();
   const bool is_even = quads.size() % 2 == 0;
   if (const auto law = complex::broken_law(quads); law && is_even)
@@ -63,6 +82,19 @@ std::variant<NamedBoundary, Unfillable> boundary_of(const std::string& shown,
 }
 
 }  // namespace
+
+bool for_each_quadrangulation_in(const std::string& file,
+                                 const std::function<void(const Quadrangulation&)>& visit) {
+  const std::string bytes = core::read_file(file);
+  const std::string name = input_name(file);
+  const bool is_list =
+      bytes.starts_with(quads::kPlanarCodeHeader) || file.ends_with(".planar_code");
+  if (is_list)
+    quads::for_each_in_planar_code(bytes, name, visit);
+  else
+    visit(surface_in(bytes, file, name));
+  return is_list;
+}
 
 std::variant<NamedBoundary, Unfillable> boundary_from(const std::string& name_code_or_file) {
   return boundary_of(name_code_or_file, code_from(name_code_or_file));

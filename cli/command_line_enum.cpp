@@ -88,7 +88,8 @@ void add_hexmeshes(CLI::App& parent, Action& action) {
   auto options = std::make_shared<EnumHexmeshesOptions>();
   command
       ->add_option("BOUNDARY", options->boundary,
-                   "Name (see `hexatlas table info`), canonical code, or a surface file of quads")
+                   "Name (see `hexatlas table info`), canonical code, or a file of one "
+                   "quadrangulation as `hexatlas code` takes it")
       ->required();
   command->add_option("--max-hexes", options->max_hexahedra, "At most so many hexahedra")
       ->check(CLI::Range(1, hexes::kMaxHexahedra))

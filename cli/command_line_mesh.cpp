@@ -45,7 +45,8 @@ void add_mesh_boundary(CLI::App& mesh, Action& action) {
   auto options = std::make_shared<MeshBoundaryOptions>();
   command
       ->add_option("BOUNDARY", options->boundary,
-                   "Name or canonical code of a boundary, or a file of quads, whose points are not "
+                   "Name or canonical code of a boundary, or a file as `hexatlas code` takes it, "
+                   "whose points are not "
                    "used")
       ->required();
   add_mesh_to_write(*command, options->output);

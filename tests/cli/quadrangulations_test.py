@@ -156,6 +156,16 @@ class QuadrangulationsTest(program.ProgramTest):
         self.write("empty", HEADER)
         self.assertEqual(self.expect(0, self.hexatlas("code", "empty")).out, "")
 
+    def test_a_list_of_one_is_a_boundary(self):
+        self.enum("--quads", "8", "-o", "one")
+        for arguments in (("mesh", "boundary", "one", "-o", "a.vtu"), ("enum", "hexmeshes", "one", "--max-hexes", "1")):
+            told = json.loads(self.expect(0, self.hexatlas(*arguments, "--json")).out)
+            self.assertEqual(told["code" if arguments[0] == "mesh" else "boundary"], "q1:088a577f")
+        self.enum("--quads", "10", "-o", "three")
+        ran = self.hexatlas("mesh", "boundary", "three", "-o", "b.vtu")
+        self.expect_fault(ran, "three")
+        self.assertIn("has 3 quadrangulations", ran.err)
+
     def test_lists_that_are_damaged_are_refused(self):
         self.enum("--quads", "10", "-o", "list")
         whole = self.read("list")
