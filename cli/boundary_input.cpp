@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "cli/output.hpp"
@@ -23,25 +26,35 @@ namespace {
 
 using complex::Quadrangulation;
 
-Quadrangulation surface_in(std::string_view bytes, const std::string& path,
-                           const std::string& name) {
-  const io::FileFormat format = path == "-" ? io::detect_format(bytes, name, io::Content::surface)
-                                            : io::format_of_path(path, io::Content::surface);
-  const complex::QuadSphere sphere =
-      hexahedrize::sphere_of(io::parse_surface(bytes, format, name), name);
-  if (const auto boundary = hexahedrize::small_form(sphere)) return *boundary;
+Quadrangulation quadrangulation_of(const mesh::SurfaceMesh& surface, const std::string& name) {
+  if (const auto boundary = hexahedrize::small_form(hexahedrize::sphere_of(surface, name)))
+    return *boundary;
   throw core::InvalidInput(name, "has more than 64 quads, the most that have codes");
 }
 
+/// By the name or, of a regular file, by the first bytes.
+bool is_list_in_planar_code(const std::string& file) {
+  if (file.ends_with(".planar_code")) return true;
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(file, unknown)) return false;
+  std::array<char, quads::kPlanarCodeHeader.size()> first{};
+  std::ifstream in(file, std::ios::binary);
+  in.read(first.data(), first.size());
+  return in && std::equal(first.begin(), first.end(), quads::kPlanarCodeHeader.begin());
+}
+
 canon::Code code_of_file(const std::string& file) {
-  std::vector<canon::Code> codes;
-  for_each_quadrangulation_in(
-      file, [&](const Quadrangulation& q) { codes.push_back(canon::canonical_form(q).code); });
-  if (codes.size() == 1) return codes.front();
-  throw core::InvalidInput(
-      input_name(file), fmt::format("has {} quadrangulations where one is wanted; `hexatlas code` "
-                                    "gives their codes",
-                                    codes.size()));
+  std::optional<Quadrangulation> first;
+  std::size_t count = 0;
+  for_each_quadrangulation_in(file, [&](const Quadrangulation& q) {
+    if (++count == 1) first = q;
+  });
+  if (count == 1) return canon::canonical_form(*first).code;
+  throw core::InvalidInput(input_name(file),
+                           count == 0 ? "has no quadrangulation"
+                                      : fmt::format("has {} quadrangulations where one is wanted; "
+                                                    "`hexatlas code` gives their codes",
+                                                    count));
 }
 
 canon::Code code_from(const std::string& text) {
@@ -71,7 +84,7 @@ std::variant<NamedBoundary, Unfillable> boundary_of(const std::string& shown,
   const auto boundary = canon::decode(code);
   if (!boundary)
     throw core::InvalidInput(shown,
-                             "is no code of a quadrangulation; `hexatlas code SURFACE` gives one");
+                             "is no code of a quadrangulation; `hexatlas code FILE` gives one");
   if (const auto reason = reason_against_filling(*boundary))
     return Unfillable{code.quads, "no hexahedral mesh exists: " + *reason};
   const canon::Code canonical = canon::canonical_form(*boundary).code;
@@ -85,15 +98,19 @@ std::variant<NamedBoundary, Unfillable> boundary_of(const std::string& shown,
 
 bool for_each_quadrangulation_in(const std::string& file,
                                  const std::function<void(const Quadrangulation&)>& visit) {
+  if (file != "-" && !is_list_in_planar_code(file)) {
+    visit(quadrangulation_of(io::read_surface(file), file));
+    return false;
+  }
   const std::string bytes = core::read_file(file);
   const std::string name = input_name(file);
-  const bool is_list =
-      bytes.starts_with(quads::kPlanarCodeHeader) || file.ends_with(".planar_code");
-  if (is_list)
-    quads::for_each_in_planar_code(bytes, name, visit);
-  else
-    visit(surface_in(bytes, file, name));
-  return is_list;
+  if (file == "-" && !bytes.starts_with(quads::kPlanarCodeHeader)) {
+    const io::FileFormat format = io::detect_format(bytes, name, io::Content::surface);
+    visit(quadrangulation_of(io::parse_surface(bytes, format, name), name));
+    return false;
+  }
+  quads::for_each_in_planar_code(bytes, name, visit);
+  return true;
 }
 
 std::variant<NamedBoundary, Unfillable> boundary_from(const std::string& name_code_or_file) {

@@ -46,8 +46,7 @@ void add_mesh_boundary(CLI::App& mesh, Action& action) {
   command
       ->add_option("BOUNDARY", options->boundary,
                    "Name or canonical code of a boundary, or a file as `hexatlas code` takes it, "
-                   "whose points are not "
-                   "used")
+                   "whose points are not used")
       ->required();
   add_mesh_to_write(*command, options->output);
   command->add_option("--table", options->table, "Table of meshes [the one beside the program]");

@@ -216,9 +216,11 @@ ExitCode write_certificate(const EnumHexmeshesOptions& options, const hexes::Sea
 /// The search goes on where the file says, or begins.
 HexFrontier frontier_of(const EnumHexmeshesOptions& options, const hexes::HexmeshProblem& problem,
                         const build::HexmeshTask& task) {
-  static_cast<void>(stop_requested());  // a large saved search takes a while to read
-  if (!options.state.empty() && is_there(options.state))
+  if (!options.state.empty() && is_there(options.state)) {
+    // From now on a signal stops the search, which a large one may take a while to read.
+    static_cast<void>(stop_requested());
     return build::frontier_from(core::read_state(options.state), task, options.state);
+  }
   return problem.begin(task.part, task.parts);
 }
 

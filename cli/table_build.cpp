@@ -131,7 +131,6 @@ build::TableSearch begin_with(const std::vector<std::string>& files,
 }
 
 build::TableSearch begin(const TableBuildOptions& options) {
-  static_cast<void>(stop_requested());  // a large saved search takes a while to read
   std::vector<canon::Code> targets = boundaries(options);
   expect_nothing_lost(options, targets);
   const build::SearchOptions search = search_options(options);
@@ -141,6 +140,8 @@ build::TableSearch begin(const TableBuildOptions& options) {
           fmt::format("note: {} goes on with what it has; only a new search begins with what "
                       "--start-from names",
                       options.state));
+    // From now on a signal stops the search, which a large one may take a while to read.
+    if (!options.so_far) static_cast<void>(stop_requested());
     return build::TableSearch::from_bytes(core::read_state(options.state), std::move(targets),
                                           search, options.state);
   }

@@ -108,6 +108,11 @@ std::string listed_even(std::uint32_t last) {
   return text;
 }
 
+std::string text_of_files_beside(const Findings& found) {
+  return std::string(found.has_manifest ? "; as its manifest says" : "; no manifest beside it") +
+         (found.has_census ? "; as its census says" : "; no census beside it");
+}
+
 std::string completeness_text(const check::TableVerdict& verdict) {
   std::string text;
   if (verdict.complete_through > 0)
@@ -174,14 +179,12 @@ ExitCode table_check(const TableCheckOptions& options) {
   } else if (!accepted) {
     print(fmt::format("{}: rejected: {}\n", path, found.reason));
   } else {
-    print(fmt::format("{}: {}: {} with {}, {}; {}{}\n{}", path,
-                      accepted_text(found.verdict, options.shard),
-                      counted(found.verdict.entries, "mesh", "meshes"),
-                      counted(hexahedra_of(found.verdict), "hexahedron", "hexahedra"),
-                      counted(found.verdict.names, "name", "names"),
-                      found.has_manifest ? "as its manifest says" : "no manifest beside it",
-                      found.has_census ? "; as its census says" : "; no census beside it",
-                      completeness_text(found.verdict)));
+    print(fmt::format(
+        "{}: {}: {} with {}, {}{}\n{}", path, accepted_text(found.verdict, options.shard),
+        counted(found.verdict.entries, "mesh", "meshes"),
+        counted(hexahedra_of(found.verdict), "hexahedron", "hexahedra"),
+        counted(found.verdict.names, "name", "names"),
+        path == "-" ? "" : text_of_files_beside(found), completeness_text(found.verdict)));
   }
   return accepted ? ExitCode::yes : ExitCode::no;
 }

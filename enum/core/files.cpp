@@ -135,27 +135,34 @@ std::optional<std::filesystem::path> to_replace(const std::string& path) {
   return target;
 }
 
-std::string read_from(const std::string& path, std::uint64_t most, bool only_regular) {
-  if (path == "-") return read_all(STDIN_FILENO, "standard input", most);
-  const int at_once = only_regular ? O_NONBLOCK : 0;  // else a pipe waits for its writer
-  const Descriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC | at_once));
-  if (fd.get() < 0) throw InvalidInput(path, "cannot be opened: " + system_message());
+enum class Devices : bool { no, yes };
+
+std::string read_from(int fd, const std::string& name, std::uint64_t most, Devices devices) {
   struct stat status {};
-  if (::fstat(fd.get(), &status) != 0)
-    throw InvalidInput(path, "cannot be read: " + system_message());
-  if (S_ISDIR(status.st_mode)) throw InvalidInput(path, "is a directory");
-  if (only_regular && !S_ISREG(status.st_mode)) throw InvalidInput(path, "is not a regular file");
+  if (::fstat(fd, &status) != 0) throw InvalidInput(name, "cannot be read: " + system_message());
+  if (S_ISDIR(status.st_mode)) throw InvalidInput(name, "is a directory");
+  if (devices == Devices::no && (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)))
+    throw InvalidInput(name, "is a device");
   const bool has_size = S_ISREG(status.st_mode) && status.st_size > 0;
-  return read_all(fd.get(), path, most, has_size ? static_cast<std::uint64_t>(status.st_size) : 0);
+  return read_all(fd, name, most, has_size ? static_cast<std::uint64_t>(status.st_size) : 0);
+}
+
+std::string read_from(const std::string& path, std::uint64_t most, Devices devices) {
+  if (path == "-") return read_from(STDIN_FILENO, "standard input", most, devices);
+  const Descriptor fd(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (fd.get() < 0) throw InvalidInput(path, "cannot be opened: " + system_message());
+  return read_from(fd.get(), path, most, devices);
 }
 
 }  // namespace
 
-std::string read_file(const std::string& path) { return read_from(path, kMaxFileBytes, false); }
+std::string read_file(const std::string& path) {
+  return read_from(path, kMaxFileBytes, Devices::yes);
+}
 
 std::string read_state(const std::string& path) {
   constexpr std::uint64_t kMost = std::uint64_t{1} << 44U;
-  return read_from(path, kMost, true);
+  return read_from(path, kMost, Devices::no);
 }
 
 void write_file(const std::string& path, std::string_view bytes) {

@@ -12,12 +12,11 @@ namespace hexatlas::core {
 /// The largest file read into memory, but for this program's own states.
 inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{4} << 30U;
 
-/// The bytes of a file, a device or a pipe, or of standard input for "-".
+/// The bytes of a file, or of standard input for "-".
 /// Throws InvalidInput (missing, a directory, not readable, larger than kMaxFileBytes).
 [[nodiscard]] std::string read_file(const std::string& path);
-/// Those of a saved state, which may be as large as memory allows: of a regular file, since a
-/// device may have no end, or of standard input. Throws InvalidInput (as read_file(), and for a
-/// device or a pipe).
+/// The same of a saved state, which may be as large as memory allows, and of no device, which may
+/// have no end. Throws InvalidInput as read_file(), and for a device.
 [[nodiscard]] std::string read_state(const std::string& path);
 
 /// Replaces `path` by a file with these bytes, or leaves what was there: the bytes go to

@@ -135,6 +135,7 @@ class Hexmeshes(program.ProgramTest):
             text = "".join([*lines[:at], " ".join(["mesh", *changed]) + "\n", *lines[at + 1:-1]])
             self.write("saved", text + f"sha256 {hashlib.sha256(text.encode()).hexdigest()}\n")
             self.hexatlas_fails(3, "enum", "hexmeshes", *words)
+        self.hexatlas_fails(3, "enum", "hexmeshes", *words[:-1], "/dev/null")
         text = "".join([*lines[:-1], "root 8\n"])  # one more than said
         self.write("saved", text + f"sha256 {hashlib.sha256(text.encode()).hexdigest()}\n")
         self.hexatlas_fails(3, "enum", "hexmeshes", *words)

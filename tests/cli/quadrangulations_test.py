@@ -171,6 +171,7 @@ class QuadrangulationsTest(program.ProgramTest):
         whole = self.read("list")
         for name, data, words in (("cut", whole[:-1], "graph 3: the file ends inside this graph"),
                                   ("changed", whole[:-2] + b"\x0d\0", "graph 3: vertex 12 has the neighbour 13"),
+                                  ("y.planar_code", bytes([67]), "graph 1: the number of vertices"),
                                   ("x.planar_code", b"\4\2\3\4\0\1\4\3\0\1\2\4\0\1\3\2\0", "graph 1: ")):
             self.write(name, data)
             ran = self.hexatlas("code", name)

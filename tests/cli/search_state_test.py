@@ -120,7 +120,7 @@ class SearchState(program.ProgramTest):
             self.expect_fault(self.build("b.hxt", "--state", "bad.state"), "bad.state")
             self.assertEqual(self.read("bad.state"), bad)
         for option in ("--state", "--start-from"):
-            self.expect_fault(self.build("b.hxt", option, "/dev/zero"), "/dev/zero")
+            self.expect_fault(self.build("b.hxt", option, "/dev/null"), "/dev/null")
         for name, value in (("--seed", "2"), ("--widest", "22"), ("--collar-hexahedra", "5"),
                             ("--collar-widest", "24"), ("--collar-width", "70"), ("--collar-narrow", "1"),
                             ("--anneal-starts", "2"), ("--anneal-rounds", "2"), ("--anneal-leaps", "2"),
