@@ -245,6 +245,18 @@ if [[ "${1:-}" == --search ]]; then
   build -o hexatlas-22-now.hxt --max-quads 22 --start-from hexatlas-now.hxt hexatlas-22.hxt collared-24.hxt "${last[@]/20261126/20270801}"
   # What the larger table has smaller.
   build -o hexatlas-both.hxt --start-from hexatlas-now.hxt hexatlas-22-now.hxt "${last[@]/20261126/20270803}"
+  # Transplants once more, for those with 44 and more (stopped after 24 minutes), then a sweep for 22 quads with exchange and collars.
+  yet=("${transplants[@]/20270501/20270901}")
+  yet=("${yet[@]/1000000/1500000}")
+  build -o swept.hxt --state swept.state --start-from hexatlas-both.hxt "${yet[@]}" --max-hexahedra 45
+  build -o transplanted.hxt --start-from swept.state swept.hxt "${yet[@]}" --max-hexahedra 1 --annealed 3419 --anneal-transplant 24
+  build -o swept-22.hxt --start-from transplanted.hxt hexatlas-22-now.hxt "${anew[@]}" --width 2500000 --widest 24 --simple-zones 30 \
+    --max-hexahedra 54 --seed 20270902 --growths 1 --collared 20000 --collar-hexahedra 9 --collar-width 600 --collar-widest 24
+  build -o hexatlas-later.hxt --start-from hexatlas-both.hxt transplanted.hxt swept-22.hxt "${last[@]/20261126/20270902}"
+  build -o hexatlas-22-later.hxt --max-quads 22 --start-from hexatlas-later.hxt hexatlas-22-now.hxt swept-22.hxt "${last[@]/20261126/20270902}"
+  # What the larger table has smaller, in both.
+  build -o hexatlas.hxt --start-from hexatlas-later.hxt hexatlas-22-later.hxt "${last[@]/20261126/20270902}"
+  build -o hexatlas-22.hxt --max-quads 22 --start-from hexatlas.hxt hexatlas-22-later.hxt "${last[@]/20261126/20270902}"
 fi
 "$program" table info --by quads --json | python3 -c '
 import json, sys

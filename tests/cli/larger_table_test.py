@@ -31,14 +31,14 @@ class LargerTable(program.ProgramTest):
         self.assertRegex(ran.out, rf"share {share} accepted, 4\d{{4}} of 653045 meshes judged: ")
         self.assertIn("complete: all 3-connected quadrangulations with 6, 8, ..., 22 quads\n", ran.out)
 
-    def test_knows_no_smaller_mesh_than_the_first_one(self):
+    def test_knows_as_small_meshes_as_the_first_one(self):
         def numbers(*table):
             lines = self.expect(0, self.hexatlas("table", "list", *table)).out.splitlines()[1:]
             return {line.split("\t")[0]: int(line.split("\t")[2]) for line in lines}
 
         first, larger = numbers(), numbers(LARGER)
         self.assertEqual(len(first), 54943)
-        self.assertEqual([code for code in first if larger[code] < first[code]], [])
+        self.assertEqual([code for code in first if larger[code] != first[code]], [])
 
     def test_is_what_a_search_asks(self):
         code = "q1:00888a20a0a2a5d75775f77dff"  # 26 quads
