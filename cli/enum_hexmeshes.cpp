@@ -217,8 +217,7 @@ ExitCode write_certificate(const EnumHexmeshesOptions& options, const hexes::Sea
 HexFrontier frontier_of(const EnumHexmeshesOptions& options, const hexes::HexmeshProblem& problem,
                         const build::HexmeshTask& task) {
   if (!options.state.empty() && is_there(options.state)) {
-    // From now on a signal stops the search, which a large one may take a while to read.
-    static_cast<void>(stop_requested());
+    heed_stops();
     return build::frontier_from(core::read_state(options.state), task, options.state);
   }
   return problem.begin(task.part, task.parts);

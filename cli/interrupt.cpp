@@ -18,7 +18,7 @@ extern "C" void request_stop(int signal) {
 
 }  // namespace
 
-const std::atomic<bool>& stop_requested() {
+void heed_stops() {
   // Once: what the first signal did is to stay.
   static const bool is_installed = [] {
     for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, request_stop);
@@ -27,6 +27,10 @@ const std::atomic<bool>& stop_requested() {
     return true;
   }();
   static_cast<void>(is_installed);
+}
+
+const std::atomic<bool>& stop_requested() {
+  heed_stops();
   return stop;
 }
 

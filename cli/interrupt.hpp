@@ -10,4 +10,8 @@ namespace hexatlas::cli {
 /// second SIGINT or SIGTERM ends the program at once.
 [[nodiscard]] const std::atomic<bool>& stop_requested();
 
+/// As a first call of it: before a saved search is read, which may take a while and is part of the
+/// work that a signal stops.
+void heed_stops();
+
 }  // namespace hexatlas::cli

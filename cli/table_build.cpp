@@ -140,8 +140,7 @@ build::TableSearch begin(const TableBuildOptions& options) {
           fmt::format("note: {} goes on with what it has; only a new search begins with what "
                       "--start-from names",
                       options.state));
-    // From now on a signal stops the search, which a large one may take a while to read.
-    if (!options.so_far) static_cast<void>(stop_requested());
+    if (!options.so_far) heed_stops();
     return build::TableSearch::from_bytes(core::read_state(options.state), std::move(targets),
                                           search, options.state);
   }
