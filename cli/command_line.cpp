@@ -294,7 +294,9 @@ ExitCode run_command_line(int argc, char** argv) {
     if (const CLI::Option* option = option_without_value(app))
       throw CLI::ValidationError(option->get_name(), "the value is empty");
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return wrong_usage(app, words, error);
+    // Who misspells a verb and asks for help wants that of another one.
+    const bool is_lost = lacks_verb(deepest_parsed(app)) && !app.remaining(true).empty();
+    if (error.get_exit_code() != 0 || is_lost) return wrong_usage(app, words, error);
     std::ostringstream help_or_version, unused;
     app.exit(error, help_or_version, unused);
     print(help_or_version.str());

@@ -73,6 +73,8 @@ class Usage(program.ProgramTest):
         self.wrong("chekc", "a.vtk", said=("did you mean `check`?",))
         self.wrong("mesh", "hx", said=("did you mean `hex`?",))
         self.wrong("table", "biuld", said=("did you mean `build`?",))
+        self.wrong("mesh", "hx", "--help", said=("did you mean `hex`?",))
+        self.wrong("--help", "biuld", said=("`biuld` is unknown to `hexatlas`",))
         self.wrong("qqqqqqqqqq", said=("`qqqqqqqqqq` is unknown to `hexatlas`.",))
         self.wrong("mesh", "hex", "a.obj", "--otput", "b.vtk", said=("did you mean `--output`?",))
         self.wrong("mesh", "hex", "a.obj", "-o", "b.vtk", "--jsn", said=("did you mean `--json`?",))
