@@ -8,9 +8,9 @@
 namespace hexatlas::flips {
 namespace {
 
-/// Balls that no involution takes to themselves orbit by orbit but for larger ones: four hexahedra
-/// around an edge that is the axis of a half-turn are the least.
-constexpr int kStartHexahedra = 5;
+/// Balls with an involution that orbits and crowns build on no smaller one: of two hexahedra, and of
+/// four and six around an edge that is the axis of a half-turn.
+constexpr int kStartHexahedra = 6;
 
 SymmetricBeam beam_of(const BeamOptions& options, bool are_mirrored) {
   return {small_symmetric_balls(kStartHexahedra, are_mirrored), Growth::outward, options};

@@ -7,6 +7,7 @@
 
 #include "enum/cells/cube.hpp"
 #include "enum/core/checks.hpp"
+#include "enum/flips/crown.hpp"
 #include "enum/parallel/parallel_for.hpp"
 
 namespace hexatlas::flips {
@@ -43,11 +44,10 @@ std::vector<SymmetricStart> small_symmetric_balls(int max_hexahedra, bool are_mi
     for (const FrontId id : balls.frontier()) {
       const State state = balls.state(id);
       const auto boundary = canon::decode(state.code).value();
-      std::vector<Involution> involutions = involutions_of(boundary);
-      std::erase_if(involutions,
-                    [&](const Involution& each) { return each.is_mirrored != are_mirrored; });
-      for (const SymmetricFront& front : symmetric_fronts(boundary, state.scars, involutions))
-        result.push_back({front, layers_along(balls, id, Growth::outward)});
+      for (const Involution& involution : involutions_of(boundary, state.scars))
+        if (involution.is_mirrored == are_mirrored)
+          result.push_back({symmetric_front(boundary, state.scars, involution),
+                            layers_along(balls, id, Growth::outward)});
     }
   }
   return result;
@@ -86,7 +86,7 @@ void SymmetricBeam::NodeSet::remove_those_of(const NodeSet& other) {
 
 SymmetricBeam::SymmetricBeam(std::vector<SymmetricStart> starts, Growth growth,
                              const BeamOptions& options)
-    : options_(options), growth_(growth), open_(3) {
+    : options_(options), growth_(growth), open_(kMostInOrbit + 1) {
   core::expects(options.max_quads >= 6 && options.max_quads <= kMaxSymmetricQuads,
                 "boundaries have from 6 to 40 quads");
   core::expects(
@@ -171,12 +171,15 @@ void SymmetricBeam::expand(std::uint32_t begin, std::uint32_t end) {
     std::vector<std::vector<Node>> made((count + kParentsPerChunk - 1) / kParentsPerChunk);
     parallel::parallel_for(options_.threads, made.size(), [&](std::size_t c) {
       const std::uint32_t first = begin + kParentsPerChunk * static_cast<std::uint32_t>(c);
-      for (std::uint32_t i = first; i < std::min(begin + count, first + kParentsPerChunk); ++i)
-        for_each_glueable_orbit(
-            front_of(expanded_.nodes()[i].state), options_.max_quads, [&](const GluedOrbit& next) {
-              made[c].push_back({canonical_state(next.made).state, i, next.orbit,
-                                 static_cast<std::uint16_t>(level_ - 1 + next.orbit.size)});
-            });
+      for (std::uint32_t i = first; i < std::min(begin + count, first + kParentsPerChunk); ++i) {
+        const SymmetricFront front = front_of(expanded_.nodes()[i].state);
+        const auto make = [&](const GluedOrbit& next) {
+          made[c].push_back({canonical_state(next.made).state, i, next.orbit,
+                             static_cast<std::uint16_t>(level_ - 1 + next.orbit.size)});
+        };
+        for_each_glueable_orbit(front, options_.max_quads, make);
+        for_each_glueable_crown(front, options_.max_quads, make);
+      }
     });
     for (const auto& chunk : made)
       for (const Node& node : chunk) {

@@ -4,14 +4,16 @@
 /// that its involution takes to themselves, grown inwards, or balls with an involution, grown
 /// outwards from small ones.
 ///
-/// Level h holds the states reached with h hexahedra; an orbit has one or two, so a level has
-/// states that come from each of the two before it. Of one level all states are there to be looked
-/// at, then some are chosen and expanded: in each class (boundary and involution) those with the
-/// fewest scars first, and the first ones of all classes before the second ones, as in beam.hpp.
-/// If no limit was hit, the search was exhaustive: it saw the state of everything that orbits build
-/// on a start while boundaries have at most max_quads quads after each orbit, with the least
-/// number of hexahedra that leads to it.
-/// Memory: about 240 bytes for each state of the two levels ahead and each one expanded.
+/// Level h holds the states reached with h hexahedra; an orbit has one or two, a crown (crown.hpp)
+/// as many as the degree of its vertex, so a level has states that come from each of some before
+/// it. Of one level all states are there to be looked at, then some are chosen and expanded: in
+/// each class (boundary and involution) those with the fewest scars first, and the first ones of
+/// all classes before the second ones, as in beam.hpp.
+/// If no limit was hit, the search was exhaustive: it saw the state of everything that orbits and
+/// crowns build on a start while boundaries have at most max_quads quads after each of them, with
+/// the least number of hexahedra that leads to it.
+/// Memory: about 240 bytes for each state of the levels ahead, two but for crowns, and each one
+/// expanded.
 
 #include <cstddef>
 #include <cstdint>
@@ -54,7 +56,7 @@ class SymmetricBeam {
   struct Node {
     SymmetricState state;
     std::uint32_t parent = 0;  ///< among the nodes expanded; of a start: its place among the starts
-    Orbit orbit;               ///< glued on front_of() the parent's state; of a start: of size 0
+    Orbit orbit;  ///< or crown, glued on front_of() the parent's state; of a start: of size 0
     std::uint16_t level = 0;
     [[nodiscard]] bool is_start() const noexcept { return orbit.size == 0; }
   };
@@ -68,7 +70,7 @@ class SymmetricBeam {
   /// The states of this level, none twice, and none that an earlier level expanded.
   [[nodiscard]] std::span<const Node> nodes() const noexcept { return open_[0].nodes(); }
   /// Expands those of them that are chosen, and goes on to the next level, which may have no
-  /// states even though the one after it has some. Returns whether any are left.
+  /// states even though ones after it have some. Returns whether any are left.
   /// `promises`: of each of nodes(), or none. Then half of those chosen are the most promising
   /// ones, whatever their class, as far as there are any with a promise.
   bool expand_level(std::span<const Promise> promises = {});

@@ -8,49 +8,15 @@
 
 #include "enum/cells/cube_symmetries.hpp"
 #include "enum/core/checks.hpp"
+#include "enum/flips/crown.hpp"
+#include "enum/flips/named_front.hpp"
 
 namespace hexatlas::flips {
 namespace {
 
 using complex::Quadrangulation;
 using complex::Vertex;
-using Cell = std::array<OrbitVertex, cells::kCubeVertices>;
 using QuadSet = std::uint64_t;
-
-constexpr OrbitVertex kUnknown = 0xFF;
-constexpr std::size_t kNames = complex::kMaxVertices + kNewPerOrbit;
-using Names = std::array<OrbitVertex, kNames>;  ///< something of each name
-
-/// A front whose vertices have names: those of the front before the orbit, and of new vertices.
-struct Named {
-  Front front;
-  std::array<OrbitVertex, complex::kMaxVertices> name{};
-};
-
-/// The hexahedron of a prism; top i has the name first_new + i if it is new.
-Cell named_cell(const Named& from, const Prism& prism, int first_new) {
-  Cell cell{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Vertex top = prism.top[i];
-    cell[cells::kCornerOfPrism[i]] = from.name[prism.bottom[i]];
-    cell[cells::kCornerOfPrism[4 + i]] =
-        top == kNewVertex ? static_cast<OrbitVertex>(first_new + static_cast<int>(i))
-                          : from.name[top];
-  }
-  return cell;
-}
-
-Named after_gluing(const Named& from, Flip flip, const Prism& prism, const Cell& cell) {
-  const Glued next = glued(from.front, flip, prism);
-  Named result{next.front};
-  for (int v = 0; v < result.front.boundary.vertices(); ++v) {
-    const Vertex former = next.flipped.former[static_cast<std::size_t>(v)];
-    if (former != kNewVertex) result.name[static_cast<std::size_t>(v)] = from.name[former];
-  }
-  for (std::size_t i = 0; i < 4; ++i)
-    result.name[next.flipped.top[i]] = cell[cells::kCornerOfPrism[4 + i]];
-  return result;
-}
 
 QuadSet patch_of(const Quadrangulation& q, Flip flip) {
   QuadSet result = QuadSet{1} << flip.bottom;
@@ -66,10 +32,8 @@ class Gluer {
  public:
   Gluer(const SymmetricFront& from, int max_quads,
         const std::function<void(const GluedOrbit&)>& visit)
-      : from_(from), max_quads_(max_quads), visit_(visit), start_{from.front} {
+      : from_(from), max_quads_(max_quads), visit_(visit), start_(named(from.front)) {
     const Quadrangulation& q = from.front.boundary;
-    for (int v = 0; v < q.vertices(); ++v)
-      start_.name[static_cast<std::size_t>(v)] = static_cast<OrbitVertex>(v);
     std::array<VertexSet, complex::kMaxQuads> quad{};
     for (int i = 0; i < q.quads(); ++i)
       quad[static_cast<std::size_t>(i)] = set_of(q.vertices_of(i));
@@ -102,7 +66,7 @@ class Gluer {
     if (!is_own_image &&
         ((patch & image) != 0 || std::countr_zero(patch) > std::countr_zero(image)))
       return;
-    const Cell cell = named_cell(start_, prism, old_vertices());
+    const OrbitCell cell = named_cell(start_, prism, old_vertices());
     if (!is_own_image) return glue_image(flip, after_gluing(start_, flip, prism, cell), cell);
     const int after = from_.front.boundary.quads() + 6 - 2 * flip.consumed();
     const auto own = extension(cell, cell);
@@ -112,7 +76,7 @@ class Gluer {
 
   /// Looks for the image among the hexahedra that may be glued on next: all its vertices are images
   /// of old ones, or new.
-  void glue_image(Flip first, const Named& next, const Cell& cell) const {
+  void glue_image(Flip first, const Named& next, const OrbitCell& cell) const {
     std::array<bool, kNames> may_have{};
     for (const OrbitVertex v : cell) {
       if (is_old(v)) may_have[from_.image[v]] = true;
@@ -126,7 +90,7 @@ class Gluer {
         continue;
       for_each_glueable_on(next.front, static_cast<complex::Quad>(bottom), max_quads_,
                            [&](Flip flip, const Prism& prism) {
-                             const Cell other = named_cell(next, prism, old_vertices() + 4);
+                             const OrbitCell other = named_cell(next, prism, old_vertices() + 4);
                              if (const auto image = extension(cell, other))
                                finish({{first, flip}, 2}, after_gluing(next, flip, prism, other),
                                       {cell, other}, *image);
@@ -135,14 +99,15 @@ class Gluer {
   }
 
   /// The images of all names if the involution extends to one that takes `cell` to `other`.
-  [[nodiscard]] std::optional<Names> extension(const Cell& cell, const Cell& other) const {
+  [[nodiscard]] std::optional<Names> extension(const OrbitCell& cell,
+                                               const OrbitCell& other) const {
     Names image{};
     for (const cells::CornerMap& turn : cells::kCubeTables.corner)
       if (extends(cell, other, turn, image)) return image;
     return std::nullopt;
   }
-  [[nodiscard]] bool extends(const Cell& cell, const Cell& other, const cells::CornerMap& turn,
-                             Names& image) const {
+  [[nodiscard]] bool extends(const OrbitCell& cell, const OrbitCell& other,
+                             const cells::CornerMap& turn, Names& image) const {
     for (std::size_t c = 0; c < cell.size(); ++c)
       if (is_old(cell[c]) ? other[turn[c]] != from_.image[cell[c]] : is_old(other[turn[c]]))
         return false;
@@ -159,19 +124,11 @@ class Gluer {
     return true;
   }
 
-  void finish(const Orbit& orbit, const Named& last, const std::array<Cell, 2>& cell,
+  void finish(const Orbit& orbit, const Named& last, const std::array<OrbitCell, 2>& cell,
               const Names& image) const {
-    const int vertices = last.front.boundary.vertices();
-    Names place{};
-    place.fill(kUnknown);
-    for (int v = 0; v < vertices; ++v)
-      place[last.name[static_cast<std::size_t>(v)]] = static_cast<OrbitVertex>(v);
-    GluedOrbit result{orbit, {last.front}, last.name, cell};
-    for (std::size_t v = 0; v < static_cast<std::size_t>(vertices); ++v) {
-      result.made.image[v] = place[image[last.name[v]]];
-      core::check_law([&] { return result.made.image[v] != kUnknown; },
-                      "the image of a boundary vertex is on the boundary");
-    }
+    GluedOrbit result = glued_with(last, image);
+    result.orbit = orbit;
+    std::copy(cell.begin(), cell.end(), result.cell.begin());
     visit_(result);
   }
 
@@ -191,7 +148,7 @@ canon::Labelling after(const canon::Labelling& second, const canon::Labelling& f
 
 }  // namespace
 
-std::vector<Involution> involutions_of(const Quadrangulation& boundary) {
+std::vector<Involution> involutions_of(const Quadrangulation& boundary, const Scars& scars) {
   core::expects(boundary.is_three_connected(), "symmetries are those of a 3-connected boundary");
   canon::CanonicalFlags flags;
   canon::canonical_flags(boundary, flags);
@@ -199,37 +156,40 @@ std::vector<Involution> involutions_of(const Quadrangulation& boundary) {
   // Two canonical labellings differ by an automorphism.
   const canon::Labelling first = canon::labelling_from(boundary, flags.flags[0]);
   const canon::Labelling vertex_of = canon::inverse_of(first, vertices);
-  std::vector<canon::Labelling> group;
+  const auto wide = scars.as<kMaxSymmetricQuads>();
+  std::vector<Involution> group;  // all that keep the scars, whatever their order
   group.reserve(static_cast<std::size_t>(flags.count));
-  for (int i = 0; i < flags.count; ++i)
-    group.push_back(after(vertex_of,
-                          canon::labelling_from(boundary, flags.flags[static_cast<std::size_t>(i)]),
-                          vertices));
-  const canon::Labelling identity = group.front();
+  for (int i = 0; i < flags.count; ++i) {
+    const canon::Flag flag = flags.flags[static_cast<std::size_t>(i)];
+    const canon::Labelling image =
+        after(vertex_of, canon::labelling_from(boundary, flag), vertices);
+    if (wide.renamed(image) == wide)
+      group.push_back({image, flag.mirrored != flags.flags[0].mirrored});
+  }
+  const canon::Labelling identity = group.front().image;
   std::vector<Involution> result;
   for (std::size_t i = 1; i < group.size(); ++i) {
-    if (after(group[i], group[i], vertices) != identity) continue;
-    const bool is_new = std::none_of(group.begin(), group.end(), [&](const canon::Labelling& g) {
+    const canon::Labelling& image = group[i].image;
+    if (after(image, image, vertices) != identity) continue;
+    const bool is_new = std::none_of(group.begin(), group.end(), [&](const Involution& g) {
       return std::any_of(result.begin(), result.end(), [&](const Involution& known) {
-        return after(g, group[i], vertices) == after(known.image, g, vertices);
+        return after(g.image, image, vertices) == after(known.image, g.image, vertices);
       });
     });
-    if (is_new) result.push_back({group[i], flags.flags[i].mirrored != flags.flags[0].mirrored});
+    if (is_new) result.push_back(group[i]);
   }
   return result;
 }
 
-std::vector<SymmetricFront> symmetric_fronts(const Quadrangulation& boundary, const Scars& scars) {
-  return symmetric_fronts(boundary, scars, involutions_of(boundary));
+SymmetricFront symmetric_front(const Quadrangulation& boundary, const Scars& scars,
+                               const Involution& involution) {
+  return {front_with(boundary, scars.as<kMaxSymmetricQuads>()), involution.image};
 }
 
-std::vector<SymmetricFront> symmetric_fronts(const Quadrangulation& boundary, const Scars& scars,
-                                             std::span<const Involution> involutions) {
-  const auto wide = scars.as<kMaxSymmetricQuads>();
+std::vector<SymmetricFront> symmetric_fronts(const Quadrangulation& boundary, const Scars& scars) {
   std::vector<SymmetricFront> result;
-  for (const Involution& involution : involutions)
-    if (wide.renamed(involution.image) == wide)
-      result.push_back({front_with(boundary, wide), involution.image});
+  for (const Involution& involution : involutions_of(boundary, scars))
+    result.push_back(symmetric_front(boundary, scars, involution));
   return result;
 }
 
@@ -248,9 +208,13 @@ void for_each_glueable_orbit(const SymmetricFront& front, int max_quads,
 
 GluedOrbit glued(const SymmetricFront& front, const Orbit& orbit) {
   std::optional<GluedOrbit> found;
-  for_each_glueable_orbit(front, kMaxSymmetricQuads, [&](const GluedOrbit& each) {
+  const auto keep = [&](const GluedOrbit& each) {
     if (each.orbit == orbit) found = each;
-  });
+  };
+  if (orbit.crown == 0)
+    for_each_glueable_orbit(front, kMaxSymmetricQuads, keep);
+  else
+    for_each_glueable_crown(front, kMaxSymmetricQuads, keep);
   core::expects(found.has_value(), "the orbit may be glued on");
   return *found;
 }

@@ -19,7 +19,6 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "enum/complex/hex_complex.hpp"
@@ -33,23 +32,23 @@ struct Involution {
   bool is_mirrored = false;  ///< reverses orientation
 };
 
-/// The involutions of a boundary, one of each conjugacy class of its automorphism group, in the
-/// order of its canonical flags. Requires a 3-connected quadrangulation.
-[[nodiscard]] std::vector<Involution> involutions_of(const complex::Quadrangulation& boundary);
+/// The involutions of a boundary that take scars to scars, one of each conjugacy class of the group
+/// of all automorphisms that do, in the order of its canonical flags. Requires a 3-connected
+/// quadrangulation, and scars in its numbers.
+[[nodiscard]] std::vector<Involution> involutions_of(const complex::Quadrangulation& boundary,
+                                                     const Scars& scars = {});
 
 struct SymmetricFront {
   Front front;
   canon::Labelling image{};
 };
 
-/// The boundary with these scars, and with each of its involutions that keeps them. Requires a
-/// 3-connected quadrangulation.
+/// The boundary with these scars and one of involutions_of() both.
+[[nodiscard]] SymmetricFront symmetric_front(const complex::Quadrangulation& boundary,
+                                             const Scars& scars, const Involution& involution);
+/// The same with each of these involutions.
 [[nodiscard]] std::vector<SymmetricFront> symmetric_fronts(const complex::Quadrangulation& boundary,
                                                            const Scars& scars);
-/// The same with those of the given involutions that keep the scars.
-[[nodiscard]] std::vector<SymmetricFront> symmetric_fronts(const complex::Quadrangulation& boundary,
-                                                           const Scars& scars,
-                                                           std::span<const Involution> involutions);
 
 /// The boundary with these scars and the identity in place of an involution: each hexahedron is its
 /// own image, and an orbit one step of a search without symmetry, through boundaries longer than
@@ -57,18 +56,25 @@ struct SymmetricFront {
 [[nodiscard]] SymmetricFront front_without_symmetry(const complex::Quadrangulation& boundary,
                                                     const Scars& scars);
 
+/// The hexahedra of an orbit or a crown (crown.hpp) are at most so many.
+inline constexpr int kMostInOrbit = 12;
+
 /// A hexahedron and its image: the flips made one after the other, the second one in the boundary
-/// that the first one leaves. Only the first if the hexahedron is its own image.
+/// that the first one leaves. Only the first if the hexahedron is its own image. Or a crown, by its
+/// place among those of its front, from 1 on, without flips.
 struct Orbit {
   std::array<Flip, 2> flip{};
-  std::uint8_t size = 1;
+  std::uint8_t size = 1;    ///< hexahedra
+  std::uint16_t crown = 0;  ///< 0: none
   friend bool operator==(const Orbit&, const Orbit&) = default;
 };
 
 /// A vertex of the former front, or a new one, numbered from the number of its vertices on, with
 /// gaps.
 using OrbitVertex = std::uint8_t;
-inline constexpr int kNewPerOrbit = 8;  ///< new vertices have fewer than so many numbers
+/// New vertices have fewer than so many numbers.
+inline constexpr int kNewPerOrbit = 4 * kMostInOrbit;
+using OrbitCell = std::array<OrbitVertex, cells::kCubeVertices>;
 
 struct GluedOrbit {
   Orbit orbit;
@@ -76,7 +82,7 @@ struct GluedOrbit {
   std::array<OrbitVertex, complex::kMaxVertices> former{};  ///< of each vertex of `made`
   /// The hexahedra, by corner as in enum/cells/cube.hpp. Where quads are counter-clockwise from
   /// outside and the hexahedra lie inside, they are right-handed.
-  std::array<std::array<OrbitVertex, cells::kCubeVertices>, 2> cell{};
+  std::array<OrbitCell, kMostInOrbit> cell{};
 };
 
 /// Calls visit(glued) for each orbit that may be glued on so that the boundary then has at least 6
@@ -86,7 +92,8 @@ struct GluedOrbit {
 void for_each_glueable_orbit(const SymmetricFront& front, int max_quads,
                              const std::function<void(const GluedOrbit&)>& visit);
 
-/// The one orbit of these flips, which for_each_glueable_orbit() visits with some `max_quads`.
+/// The one orbit of these flips, which for_each_glueable_orbit() visits with some `max_quads`, or
+/// the one crown, of for_each_glueable_crown().
 [[nodiscard]] GluedOrbit glued(const SymmetricFront& front, const Orbit& orbit);
 
 /// A symmetric front up to isomorphism.

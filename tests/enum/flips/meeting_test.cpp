@@ -5,11 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
 #include "enum/core/errors.hpp"
+#include "enum/flips/matching.hpp"
 #include "enum/flips/symmetric_front.hpp"
 #include "tests/enum/support.hpp"
 
@@ -265,9 +267,16 @@ TEST(Meeting, SymmetricCollarsKeepApartWhatMustBe) {
       options.apart = {};
       options.apart.add(a, b);
       const auto filling = flips::best_symmetric_meeting(flips::BeamBalls(beam), code, options);
-      const auto involutions = flips::involutions_of(boundary);
-      if (std::none_of(involutions.begin(), involutions.end(), [&](const auto& each) {
-            return options.apart.renamed(each.image) == options.apart;
+      const auto turns = flips::automorphisms_of(code);
+      if (std::none_of(turns.begin(), turns.end(), [&](const auto& each) {
+            bool is_identity = true;
+            bool is_own_inverse = true;
+            for (complex::Vertex v = 0; v < boundary.vertices(); ++v) {
+              is_identity = is_identity && each.label[v] == v;
+              is_own_inverse = is_own_inverse && each.label[each.label[v]] == v;
+            }
+            return is_own_inverse && !is_identity &&
+                   options.apart.renamed(each.label) == options.apart;
           })) {
         ++kept_by_none;
         EXPECT_FALSE(filling.has_value());

@@ -13,6 +13,7 @@
 #include <set>
 #include <vector>
 
+#include "enum/flips/crown.hpp"
 #include "enum/flips/matching.hpp"
 #include "enum/flips/meeting.hpp"
 #include "tests/enum/flips/extension.hpp"
@@ -63,10 +64,12 @@ TEST(SymmetricBalls, AreAllThatOrbitsReachFromTheirStarts) {
     for (int h = 0; h < 8; ++h)
       for (const auto& [state, level] : std::map(least)) {
         if (level != h) continue;
-        flips::for_each_glueable_orbit(flips::front_of(state), 22, [&](const auto& orbit) {
+        const auto reach = [&](const flips::GluedOrbit& orbit) {
           int& known = least.emplace(flips::canonical_state(orbit.made).state, 99).first->second;
           known = std::min(known, h + orbit.orbit.size);
-        });
+        };
+        flips::for_each_glueable_orbit(flips::front_of(state), 22, reach);
+        flips::for_each_glueable_crown(flips::front_of(state), 22, reach);
       }
     std::erase_if(least, [](const auto& entry) { return entry.second > 8; });
     SymmetricBeam beam(std::move(starts), flips::Growth::outward, widths(22, 100'000, 2));
@@ -112,7 +115,7 @@ TEST(SymmetricBalls, LeastFitIsThatOfAllPairs) {
   const flips::SymmetricBalls balls(options, kMost);
   std::vector<SymmetricBeam> oracle;
   for (const bool are_mirrored : {false, true}) {
-    auto& beam = oracle.emplace_back(flips::small_symmetric_balls(5, are_mirrored),
+    auto& beam = oracle.emplace_back(flips::small_symmetric_balls(6, are_mirrored),
                                      flips::Growth::outward, options);
     for (int level = 0; level <= kMost; ++level) (void)beam.expand_level();
   }

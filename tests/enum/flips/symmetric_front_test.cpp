@@ -14,8 +14,10 @@
 #include <set>
 #include <vector>
 
+#include "enum/flips/crown.hpp"
 #include "enum/flips/symmetric_beam.hpp"
 #include "enum/quads/generate.hpp"
+#include "tests/enum/flips/glued_steps.hpp"
 #include "tests/enum/flips/small_beam.hpp"
 #include "tests/enum/support.hpp"
 #include "tests/share.hpp"
@@ -83,19 +85,26 @@ Permutation inverse(const Permutation& p) {
   return result;
 }
 
+/// The elements of order two of a group, by class.
+std::set<std::set<Permutation>> classes_of_order_two(const std::vector<Permutation>& group,
+                                                     const Permutation& identity) {
+  std::set<std::set<Permutation>> classes;
+  for (const Permutation& p : group) {
+    if (p == identity || then(p, p) != identity) continue;
+    std::set<Permutation> conjugates;
+    for (const Permutation& g : group) conjugates.insert(then(then(inverse(g), p), g));
+    classes.insert(conjugates);
+  }
+  return classes;
+}
+
 TEST(Involutions, AreThoseOfTheGraphOneOfEachClass) {
   std::size_t with = 0;
   for (const Quadrangulation& q : boundaries(14)) {
     const auto group = Automorphisms(q).all();
     Permutation identity(static_cast<std::size_t>(q.vertices()));
     std::iota(identity.begin(), identity.end(), 0);
-    std::set<std::set<Permutation>> classes;
-    for (const Permutation& p : group) {
-      if (p == identity || then(p, p) != identity) continue;
-      std::set<Permutation> conjugates;
-      for (const Permutation& g : group) conjugates.insert(then(then(inverse(g), p), g));
-      classes.insert(conjugates);
-    }
+    auto classes = classes_of_order_two(group, identity);
     const auto found = flips::involutions_of(q);
     EXPECT_EQ(found.size(), classes.size());
     with += found.empty() ? 0 : 1;
@@ -119,78 +128,50 @@ TEST(Involutions, AreThoseOfTheGraphOneOfEachClass) {
   EXPECT_GT(with, 50U);
 }
 
-/// Maps of the corners of a cube, bits being coordinates, that keep edges.
-std::vector<std::array<std::size_t, 8>> corner_maps() {
-  std::vector<std::array<std::size_t, 8>> result;
-  std::array<std::size_t, 8> map{};
-  std::iota(map.begin(), map.end(), 0U);
-  do {
-    bool keeps = true;
-    for (std::size_t a = 0; a < 8 && keeps; ++a)
-      for (std::size_t b = 0; b < a && keeps; ++b)
-        keeps = std::has_single_bit(a ^ b) == std::has_single_bit(map[a] ^ map[b]);
-    if (keeps) result.push_back(map);
-  } while (std::next_permutation(map.begin(), map.end()));
-  return result;
-}
-
-/// A front whose vertices have names, and a hexahedron by corner in these names.
-struct Step {
-  Front front;
-  std::vector<int> name;
-  std::array<int, 8> cell{};
-};
-
-std::vector<Step> all_steps(const Front& front, const std::vector<int>& name, int first_new) {
-  std::vector<Step> result;
-  for (const flips::Flip flip : support::candidate_flips(front.boundary, flips::kMaxFrontQuads)) {
-    const auto prism = flips::prism_of(front.boundary, flip).value();
-    if (!flips::may_glue(front, flip, prism) || !flips::is_preferred(front.boundary, flip))
-      continue;
-    const auto next = flips::glued(front, flip, prism);
-    Step step{next.front, {}, {}};
-    constexpr std::array<std::size_t, 4> kRound{0, 1, 3, 2};
-    for (std::size_t i = 0; i < 4; ++i) {
-      step.cell[kRound[i]] = name[prism.bottom[i]];
-      step.cell[4 + kRound[i]] =
-          prism.top[i] == flips::kNewVertex ? first_new + static_cast<int>(i) : name[prism.top[i]];
+// Of a boundary with more symmetries than its scars an involution may be lost whose conjugates, but
+// not itself, keep the scars.
+TEST(Involutions, ThatKeepScarsAreThoseOfTheGroupThatDoes) {
+  support::Random random(70);
+  std::size_t with = 0, fewer = 0;
+  for (const Quadrangulation& q : boundaries(12)) {
+    const auto group = Automorphisms(q).all();
+    if (group.size() < 4) continue;
+    Permutation identity(static_cast<std::size_t>(q.vertices()));
+    std::iota(identity.begin(), identity.end(), 0);
+    for (int tries = 0; tries < 6; ++tries) {
+      const auto vertex = [&] {
+        return static_cast<std::size_t>(random.below(static_cast<std::size_t>(q.vertices())));
+      };
+      const std::size_t a = vertex();
+      const std::size_t b = vertex();
+      if (a == b) continue;
+      const Permutation& some = group[random.below(group.size())];
+      const std::set<std::set<int>> pairs{{static_cast<int>(a), static_cast<int>(b)},
+                                          {some[a], some[b]}};
+      flips::Scars scars;
+      for (const auto& pair : pairs)
+        scars.add(static_cast<Vertex>(*pair.begin()), static_cast<Vertex>(*pair.rbegin()));
+      std::vector<Permutation> keeping;
+      for (const Permutation& g : group) {
+        std::set<std::set<int>> moved;
+        for (const auto& pair : pairs)
+          moved.insert({g[static_cast<std::size_t>(*pair.begin())],
+                        g[static_cast<std::size_t>(*pair.rbegin())]});
+        if (moved == pairs) keeping.push_back(g);
+      }
+      auto classes = classes_of_order_two(keeping, identity);
+      const auto found = flips::involutions_of(q, scars);
+      EXPECT_EQ(found.size(), classes.size());
+      with += found.empty() ? 0 : 1;
+      fewer += keeping.size() < group.size() ? 1 : 0;
+      for (const flips::Involution& each : found) {
+        const Permutation p(each.image.begin(), each.image.begin() + q.vertices());
+        EXPECT_EQ(std::erase_if(classes, [&](const auto& one) { return one.contains(p); }), 1U);
+      }
     }
-    for (int v = 0; v < next.front.boundary.vertices(); ++v) {
-      const Vertex former = next.flipped.former[static_cast<std::size_t>(v)];
-      step.name.push_back(former == flips::kNewVertex ? -1 : name[former]);
-    }
-    for (std::size_t i = 0; i < 4; ++i) step.name[next.flipped.top[i]] = step.cell[4 + kRound[i]];
-    result.push_back(step);
   }
-  return result;
-}
-
-/// The extension of the involution, given by name, that takes one hexahedron to the other, if any.
-std::optional<std::map<int, int>> extension(std::map<int, int> image,
-                                            const std::array<int, 8>& cell,
-                                            const std::array<int, 8>& other) {
-  static const auto kMaps = corner_maps();
-  const auto old = image;
-  for (const auto& map : kMaps) {
-    auto extended = old;
-    bool fits = true;
-    for (std::size_t c = 0; c < 8 && fits; ++c)
-      fits = extended.emplace(cell[c], other[map[c]]).first->second == other[map[c]] &&
-             extended.emplace(other[map[c]], cell[c]).first->second == cell[c];
-    if (fits) return extended;
-  }
-  return std::nullopt;
-}
-
-void add_state(const Step& last, const std::map<int, int>& image, int max_quads,
-               std::set<SymmetricState>& states) {
-  if (last.front.boundary.quads() > max_quads) return;
-  SymmetricFront made{last.front, {}};
-  for (std::size_t v = 0; v < last.name.size(); ++v) {
-    const auto at = std::find(last.name.begin(), last.name.end(), image.at(last.name[v]));
-    made.image[v] = static_cast<Vertex>(at - last.name.begin());
-  }
-  states.insert(flips::canonical_state(made).state);
+  EXPECT_GT(with, 30U);
+  EXPECT_GT(fewer, 30U);
 }
 
 /// The states after all pairs of flips that are an orbit.
@@ -201,12 +182,12 @@ std::set<SymmetricState> states_by_pairs(const SymmetricFront& from, int max_qua
   std::map<int, int> image;
   for (int v = 0; v < vertices; ++v) image[v] = from.image[static_cast<std::size_t>(v)];
   std::set<SymmetricState> result;
-  for (const Step& first : all_steps(from.front, name, vertices)) {
-    if (const auto own = extension(image, first.cell, first.cell))
-      add_state(first, *own, max_quads, result);
-    for (const Step& second : all_steps(first.front, first.name, vertices + 4))
-      if (const auto both = extension(image, first.cell, second.cell))
-        add_state(second, *both, max_quads, result);
+  for (const support::Step& first : support::all_steps(from.front, name, vertices)) {
+    if (const auto own = support::extension(image, first.cell, first.cell))
+      support::add_state(first, *own, max_quads, result);
+    for (const support::Step& second : support::all_steps(first.front, first.name, vertices + 4))
+      if (const auto both = support::extension(image, first.cell, second.cell))
+        support::add_state(second, *both, max_quads, result);
   }
   return result;
 }
@@ -345,14 +326,14 @@ std::map<SymmetricState, int> closure(const SymmetricFront& start, int max_quads
   for (int h = 0; h < hexahedra; ++h)
     for (const auto& [state, level] : std::map(least)) {
       if (level != h) continue;
-      flips::for_each_glueable_orbit(
-          flips::front_of(state), max_quads, [&](const flips::GluedOrbit& orbit) {
-            const int after = h + orbit.orbit.size;
-            if (after > hexahedra) return;
-            int& known =
-                least.emplace(flips::canonical_state(orbit.made).state, after).first->second;
-            known = std::min(known, after);
-          });
+      const auto reach = [&](const flips::GluedOrbit& orbit) {
+        const int after = h + orbit.orbit.size;
+        if (after > hexahedra) return;
+        int& known = least.emplace(flips::canonical_state(orbit.made).state, after).first->second;
+        known = std::min(known, after);
+      };
+      flips::for_each_glueable_orbit(flips::front_of(state), max_quads, reach);
+      flips::for_each_glueable_crown(flips::front_of(state), max_quads, reach);
     }
   return least;
 }

@@ -120,7 +120,7 @@ Walked walked(const std::vector<Symmetric>& meshes, const flips::Beam& beam,
     const auto boundary = oracle::boundary(cells_of(own.mesh));
     std::size_t own_images = own_images_in(
         flips::extended(own.involution, own.mesh, quads, SubBall::neighbours_of(own.mesh)).value());
-    for (int step = 0; step < 150; ++step) {
+    for (int step = 0; step < 240; ++step) {
       const flips::Climate climate =
           step / 30 % 2 == 0 ? flips::Climate(0.8, 0.7) : flips::Climate(0.3, 0.01);
       if (!walk.step(climate, layers)) continue;
@@ -148,8 +148,8 @@ TEST(SymmetricWalk, KeepsTheInvolutionAndKnowsTheFaults) {
   const auto beam = support::grown(18, 30, 3'000, 22);
   const flips::SymmetricBalls symmetric(kWidths, 12);
   for (const bool are_mirrored : {false, true}) {
-    const auto meshes = symmetric_meshes(are_mirrored, 16, 8);
-    ASSERT_EQ(meshes.size(), 8U);
+    const auto meshes = symmetric_meshes(are_mirrored, 16, 18);
+    ASSERT_EQ(meshes.size(), 18U);
     const Walked walk = walked(meshes, beam, &symmetric);
     EXPECT_GT(walk.with_faults, 20) << are_mirrored;
     EXPECT_GT(walk.without, 20) << are_mirrored;
