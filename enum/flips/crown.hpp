@@ -9,7 +9,7 @@
 ///
 /// Why. A hexahedron and its image that have such an edge in common can only be glued on when the
 /// ones between them are there, so no orbit goes along it (docs/theory/proofs/symmetric.md,
-/// section 2). Without crowns a search by orbits hardly has the meshes whose axis leads through
+/// section 6). Without crowns a search by orbits hardly has the meshes whose axis leads through
 /// vertices: those with 36 hexahedra of Schneiders' pyramid for one.
 
 #include <functional>

@@ -8,8 +8,8 @@
 namespace hexatlas::flips {
 namespace {
 
-/// Balls with an involution that orbits and crowns build on no smaller one: of two hexahedra, and of
-/// four and six around an edge that is the axis of a half-turn.
+/// Balls with an involution that orbits and crowns build on no smaller one: up to two hexahedra,
+/// and four and six around an edge (docs/theory/proofs/symmetric.md, section 6, has the others).
 constexpr int kStartHexahedra = 6;
 
 SymmetricBeam beam_of(const BeamOptions& options, bool are_mirrored) {

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "enum/flips/crown.hpp"
@@ -80,6 +81,35 @@ TEST(SymmetricBalls, AreAllThatOrbitsReachFromTheirStarts) {
     EXPECT_TRUE(beam.is_exhaustive());
     EXPECT_EQ(seen, least);
     EXPECT_GT(seen.size(), 50U);
+  }
+}
+
+// Of all shellable balls, made without a symmetry, and all involutions of these: all but one and
+// two hexahedra, and four and six around an edge.
+TEST(SymmetricBalls, AreReachedByOrbitsAndCrownsFromAFew) {
+  for (const auto& [are_mirrored, most] : {std::pair(false, 8), std::pair(true, 7)}) {
+    std::map<int, std::set<flips::SymmetricState>> all, reached;
+    for (const auto& start : flips::small_symmetric_balls(most, are_mirrored))
+      all[static_cast<int>(start.layers.hexahedra.size())].insert(
+          flips::canonical_state(start.front).state);
+    std::map<int, std::vector<int>> quads;  // of those that are not reached, by hexahedra
+    std::size_t count = 0;
+    for (int h = 1; h <= most; ++h)
+      for (const flips::SymmetricState& state : all[h]) {
+        ++count;
+        if (!reached[h].contains(state)) quads[h].push_back(state.code.quads);
+        if (h == most) continue;
+        const auto reach = [&](const flips::GluedOrbit& orbit) {
+          reached[h + orbit.orbit.size].insert(flips::canonical_state(orbit.made).state);
+        };
+        flips::for_each_glueable_orbit(flips::front_of(state), flips::kMaxSymmetricQuads, reach);
+        flips::for_each_glueable_crown(flips::front_of(state), flips::kMaxSymmetricQuads, reach);
+      }
+    using ByHexahedra = std::map<int, std::vector<int>>;
+    EXPECT_EQ(quads, are_mirrored
+                         ? (ByHexahedra{{1, {6, 6, 6}}, {2, {10, 10}}, {4, {16}}, {6, {24}}})
+                         : (ByHexahedra{{1, {6, 6}}, {2, {10, 10}}, {4, {16}}, {6, {24}}}));
+    EXPECT_GT(count, 900U);
   }
 }
 
