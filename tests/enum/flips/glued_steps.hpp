@@ -65,13 +65,12 @@ inline std::vector<Step> all_steps(const flips::Front& front, const std::vector<
 }
 
 /// The extension of the involution, given by name, that takes one hexahedron to the other, if any.
-inline std::optional<std::map<int, int>> extension(std::map<int, int> image,
+inline std::optional<std::map<int, int>> extension(const std::map<int, int>& image,
                                                    const std::array<int, 8>& cell,
                                                    const std::array<int, 8>& other) {
   static const auto kMaps = corner_maps();
-  const auto old = image;
   for (const auto& map : kMaps) {
-    auto extended = old;
+    auto extended = image;
     bool fits = true;
     for (std::size_t c = 0; c < 8 && fits; ++c)
       fits = extended.emplace(cell[c], other[map[c]]).first->second == other[map[c]] &&
