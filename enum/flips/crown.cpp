@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,9 @@ using complex::Vertex;
 
 constexpr int kLeastInCrown = 4;  // around an edge inside
 
+/// Of a top in a key: a vertex that was not there before.
+constexpr OrbitVertex kNewTop = 0xFE;
+
 /// Glues crowns on one front.
 class Crowner {
  public:
@@ -26,14 +30,14 @@ class Crowner {
 
   void glue_all() {
     const auto degrees = from_.front.boundary.degrees();
-    for (int i = 0; i < from_.front.boundary.vertices(); ++i) {
+    for (int i = 0; i < old_vertices(); ++i) {
       const auto v = static_cast<Vertex>(i);
       if (from_.image[v] == v && degrees[v] >= kLeastInCrown && degrees[v] <= kMostInOrbit) glue(v);
     }
   }
 
  private:
-  /// The hexahedra from half on are images of those before.
+  [[nodiscard]] int old_vertices() const noexcept { return from_.front.boundary.vertices(); }
   [[nodiscard]] std::size_t half() const noexcept { return star_.size() / 2; }
 
   void glue(Vertex v) {
@@ -50,7 +54,9 @@ class Crowner {
     if (!is_turned()) return;
     image_.fill(kUnknown);
     std::copy_n(from_.image.begin(), q.vertices(), image_.begin());
-    add(0, named(from_.front));
+    top_.fill(kUnknown);
+    seen_.clear();
+    add({}, named(from_.front));
   }
 
   /// Whether the involution turns the quads around the vertex by half.
@@ -76,9 +82,17 @@ class Crowner {
     return std::nullopt;
   }
 
-  /// Glues the hexahedra from the i-th on.
-  void add(std::size_t i, const Named& at) {
-    if (i == star_.size()) return finish(at);
+  /// Glues the hexahedra on that are not there yet, in any order: which one may come next depends
+  /// on what the others leave of the boundary. The places of those there are in `there`.
+  void add(const std::vector<std::size_t>& there, const Named& at) {
+    if (there.size() == star_.size()) return finish(there, at);
+    // The involution takes a crown that begins in the second half to one that begins in the first.
+    const std::size_t end = there.empty() ? half() : star_.size();
+    for (std::size_t i = 0; i < end; ++i)
+      if (std::find(there.begin(), there.end(), i) == there.end()) add(i, there, at);
+  }
+
+  void add(std::size_t i, const std::vector<std::size_t>& there, const Named& at) {
     const auto bottom = place_of(star_[i], at);
     if (!bottom) return;
     // All sets of sides, not one for each patch: the bottom is given.
@@ -88,18 +102,25 @@ class Crowner {
       if (after < 6 || after > kMaxFrontQuads) continue;
       const auto prism = prism_of(at.front.boundary, flip);
       if (!prism || !may_glue(at.front, flip, *prism)) continue;
-      const int first_new = from_.front.boundary.vertices() + 4 * static_cast<int>(i);
-      const OrbitCell cell = named_cell(at, *prism, first_new);
-      const auto above = std::find(cell.begin(), cell.end(), around_) - cell.begin();
-      const OrbitVertex end = cell[top_above(static_cast<std::size_t>(above))];
-      if (i == 0 ? end < from_.front.boundary.vertices() : end != end_) continue;
-      const Names before = image_;
-      if (i == 0) image_[end] = end_ = end;
-      cell_[i] = cell;
-      if (i < half() || takes(cell_[i - half()], cell))
-        add(i + 1, after_gluing(at, flip, *prism, cell));
-      image_ = before;
+      const OrbitCell cell = named_cell(at, *prism, old_vertices() + 4 * static_cast<int>(i));
+      const OrbitVertex end = cell[top_above(corner_of(around_, cell))];
+      if (there.empty() ? end < old_vertices() : end != end_) continue;
+      const Names image_before = image_;
+      const Names top_before = top_;
+      if (there.empty()) image_[end] = end_ = end;
+      if (extends(i, there, cell) && is_first(i, there, cell)) {
+        cell_[i] = cell;
+        std::vector<std::size_t> with = there;
+        with.push_back(i);
+        add(with, after_gluing(at, flip, *prism, cell));
+      }
+      image_ = image_before;
+      top_ = top_before;
     }
+  }
+
+  [[nodiscard]] static std::size_t corner_of(OrbitVertex v, const OrbitCell& cell) {
+    return static_cast<std::size_t>(std::find(cell.begin(), cell.end(), v) - cell.begin());
   }
 
   /// The corner of the top above a corner of the bottom.
@@ -109,14 +130,17 @@ class Crowner {
     return order[static_cast<std::size_t>(at) + 4];
   }
 
-  /// Extends the involution by what takes the hexahedron to the other one, bottom to bottom, if
-  /// that does not contradict it.
-  [[nodiscard]] bool takes(const OrbitCell& cell, const OrbitCell& other) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::size_t corner = cells::kCornerOfPrism[i];
-      const auto to = std::find(other.begin(), other.end(), image_[cell[corner]]) - other.begin();
+  /// Extends the involution by what takes the i-th hexahedron to its image, bottom to bottom, if
+  /// the image is there, and if that does not contradict it.
+  [[nodiscard]] bool extends(std::size_t i, const std::vector<std::size_t>& there,
+                             const OrbitCell& cell) {
+    const std::size_t image = (i + half()) % star_.size();
+    if (std::find(there.begin(), there.end(), image) == there.end()) return true;
+    const OrbitCell& other = cell_[image];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t corner = cells::kCornerOfPrism[k];
       const OrbitVertex top = cell[top_above(corner)];
-      const OrbitVertex other_top = other[top_above(static_cast<std::size_t>(to))];
+      const OrbitVertex other_top = other[top_above(corner_of(image_[cell[corner]], other))];
       for (const auto& [a, b] : {std::pair(top, other_top), std::pair(other_top, top)}) {
         if (image_[a] != kUnknown && image_[a] != b) return false;
         image_[a] = b;
@@ -125,12 +149,25 @@ class Crowner {
     return true;
   }
 
-  void finish(const Named& last) {
+  /// Whether the same hexahedra, up to the names of new vertices, were not there before in another
+  /// order: they are the same if the tops above all vertices are.
+  [[nodiscard]] bool is_first(std::size_t i, const std::vector<std::size_t>& there,
+                              const OrbitCell& cell) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const OrbitVertex top = cell[cells::kCornerOfPrism[4 + k]];
+      top_[cell[cells::kCornerOfPrism[k]]] = top < old_vertices() ? top : kNewTop;
+    }
+    std::uint32_t places = std::uint32_t{1} << i;
+    for (const std::size_t each : there) places |= std::uint32_t{1} << each;
+    return seen_.emplace(places, top_).second;
+  }
+
+  void finish(const std::vector<std::size_t>& order, const Named& last) {
     ++crowns_;  // the place among all, whatever the limit
     if (last.front.boundary.quads() > max_quads_) return;
     GluedOrbit result = glued_with(last, image_);
     result.orbit = {.size = static_cast<std::uint8_t>(star_.size()), .crown = crowns_};
-    std::copy_n(cell_.begin(), star_.size(), result.cell.begin());
+    for (std::size_t i = 0; i < order.size(); ++i) result.cell[i] = cell_[order[i]];
     visit_(result);
   }
 
@@ -142,6 +179,8 @@ class Crowner {
   std::vector<VertexSet> star_;  ///< the quads at the vertex, counter-clockwise
   std::array<OrbitCell, kMostInOrbit> cell_{};
   Names image_{};
+  Names top_{};  ///< above each vertex of a bottom: an old vertex, kNewTop or kUnknown
+  std::set<std::pair<std::uint32_t, Names>> seen_;
   std::uint16_t crowns_ = 0;
 };
 

@@ -3,9 +3,9 @@
 /// Crowns: the hexahedra around a new edge on the axis of a half-turn.
 ///
 /// Definition. Let a half-turn of a front fix a boundary vertex v of degree k. A *crown* at v is
-/// one hexahedron on each of the k quads at v, glued on one after the other around v, which all
-/// have one new edge in common, that leads from v along the axis, and which the half-turn takes to
-/// each other. After it v is inside.
+/// one hexahedron on each of the k quads at v, glued on one after the other in some order, which
+/// all have one new edge in common, that leads from v along the axis, and which the half-turn takes
+/// to each other. After it v is inside.
 ///
 /// Why. A hexahedron and its image that have such an edge in common can only be glued on when the
 /// ones between them are there, so no orbit goes along it (docs/theory/proofs/symmetric.md,

@@ -99,9 +99,9 @@ struct MeetingOptions {
 /// The same with collars that an involution of the boundary takes to themselves
 /// (symmetric_beam.hpp), for each involution in turn; the balls need no symmetry. nullopt for a
 /// boundary without involutions, too. Boundaries may have up to kMaxSymmetricQuads quads here, and
-/// four more between the two hexahedra of an orbit. Involutions that do not keep options.apart are
-/// left out; options.first holds for each one by itself. Cavities are filled with these balls and,
-/// unless nullptr, with symmetric ones, which may have longer boundaries.
+/// more between the hexahedra of an orbit or a crown. Involutions that do not keep options.apart
+/// are left out; options.first holds for each one by itself. Cavities are filled with these balls
+/// and, unless nullptr, with symmetric ones, which may have longer boundaries.
 [[nodiscard]] std::optional<Filling> best_symmetric_meeting(
     const BallSource& balls, const canon::Code& target, const MeetingOptions& options,
     const SymmetricBalls* symmetric_balls = nullptr);

@@ -1,6 +1,7 @@
 #include "enum/flips/symmetric_balls.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "enum/flips/matching.hpp"
 #include "enum/parallel/parallel_for.hpp"
@@ -13,7 +14,11 @@ namespace {
 constexpr int kStartHexahedra = 6;
 
 SymmetricBeam beam_of(const BeamOptions& options, bool are_mirrored) {
-  return {small_symmetric_balls(kStartHexahedra, are_mirrored), Growth::outward, options};
+  std::vector<SymmetricStart> starts = small_symmetric_balls(kStartHexahedra, are_mirrored);
+  std::erase_if(starts, [&](const SymmetricStart& start) {
+    return start.front.front.boundary.quads() > options.max_quads;
+  });
+  return {std::move(starts), Growth::outward, options};
 }
 
 /// The automorphisms of a boundary that commute with the involution: the ways to see the state as

@@ -4,7 +4,7 @@
 ///
 /// Why. A beam of single hexahedra holds next to nothing with boundaries of 30 quads and more, but
 /// symmetric balls are few: of 20 hexahedra, with up to 36 quads on the way, those that have a
-/// half-turn have 165,013 states. So a collar and a ball can meet at long boundaries, half-way,
+/// half-turn have 165,059 states. So a collar and a ball can meet at long boundaries, half-way,
 /// each of them one of all there are or of many.
 
 #include <array>

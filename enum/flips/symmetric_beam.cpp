@@ -212,7 +212,7 @@ Layers SymmetricBeam::layers_to(const Node& node) const {
     const SymmetricFront front = front_of(expanded_.nodes()[at->parent].state);
     const GluedOrbit next = glued(front, at->orbit);
     std::vector<std::uint32_t> vertex_of = result.rim;  // of each name
-    for (int i = 0; i < kNewPerOrbit; ++i) vertex_of.push_back(result.vertices++);
+    for (int i = 0; i < 4 * at->orbit.size; ++i) vertex_of.push_back(result.vertices++);
     for (std::size_t k = 0; k < at->orbit.size; ++k) {
       complex::Hexahedron cell{};
       for (std::size_t c = 0; c < cell.size(); ++c) cell[c] = vertex_of[next.cell[k][c]];

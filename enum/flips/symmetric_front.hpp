@@ -56,7 +56,8 @@ struct SymmetricFront {
 [[nodiscard]] SymmetricFront front_without_symmetry(const complex::Quadrangulation& boundary,
                                                     const Scars& scars);
 
-/// The hexahedra of an orbit or a crown (crown.hpp) are at most so many.
+/// Crowns (crown.hpp) are steps of the same searches, and what is said of an Orbit below covers
+/// both. The hexahedra of one are at most so many.
 inline constexpr int kMostInOrbit = 12;
 
 /// A hexahedron and its image: the flips made one after the other, the second one in the boundary
