@@ -9,6 +9,8 @@
 /// symmetric again, by the involution that extends the former one. The image of a hexahedron may be
 /// the hexahedron itself, or have a facet in common with it that was not on the front.
 ///
+/// Where the axis of a half-turn leads along edges, what is glued on are crowns (crown.hpp).
+///
 /// Why. Meshes with a symmetry are few among all meshes, and many of the least known ones have one.
 /// The two hexahedra of an orbit are one step, so a symmetric search goes twice as deep as one of
 /// single hexahedra, and each of its states stands for what would be a pair of choices
