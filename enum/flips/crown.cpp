@@ -61,12 +61,8 @@ class Crowner {
 
   /// Whether the involution turns the quads around the vertex by half.
   [[nodiscard]] bool is_turned() const {
-    for (std::size_t i = 0; i < half(); ++i) {
-      VertexSet image = 0;
-      for (VertexSet left = star_[i]; left != 0; left &= left - 1)
-        image |= bit(from_.image[static_cast<std::size_t>(std::countr_zero(left))]);
-      if (image != star_[i + half()]) return false;
-    }
+    for (std::size_t i = 0; i < half(); ++i)
+      if (image_of(star_[i], from_.image) != star_[i + half()]) return false;
     return star_.size() % 2 == 0;
   }
 
@@ -83,13 +79,18 @@ class Crowner {
   }
 
   /// Glues the hexahedra on that are not there yet, in any order: which one may come next depends
-  /// on what the others leave of the boundary. The places of those there are in `there`.
+  /// on what the others leave of the boundary. The places of those there are in `there`. The new
+  /// edge is on the boundary only in facets of those, so the next one is a neighbour of one.
   void add(const std::vector<std::size_t>& there, const Named& at) {
     if (there.size() == star_.size()) return finish(there, at);
     // The involution takes a crown that begins in the second half to one that begins in the first.
     const std::size_t end = there.empty() ? half() : star_.size();
+    const auto is_there = [&](std::size_t i) {
+      return std::find(there.begin(), there.end(), i % star_.size()) != there.end();
+    };
     for (std::size_t i = 0; i < end; ++i)
-      if (std::find(there.begin(), there.end(), i) == there.end()) add(i, there, at);
+      if (there.empty() || (!is_there(i) && (is_there(i + 1) || is_there(i + star_.size() - 1))))
+        add(i, there, at);
   }
 
   void add(std::size_t i, const std::vector<std::size_t>& there, const Named& at) {
@@ -103,12 +104,12 @@ class Crowner {
       const auto prism = prism_of(at.front.boundary, flip);
       if (!prism || !may_glue(at.front, flip, *prism)) continue;
       const OrbitCell cell = named_cell(at, *prism, old_vertices() + 4 * static_cast<int>(i));
-      const OrbitVertex end = cell[top_above(corner_of(around_, cell))];
+      const OrbitVertex end = top_above(around_, cell);
       if (there.empty() ? end < old_vertices() : end != end_) continue;
       const Names image_before = image_;
       const Names top_before = top_;
       if (there.empty()) image_[end] = end_ = end;
-      if (extends(i, there, cell) && is_first(i, there, cell)) {
+      if (extends(i, there, cell) && is_first(cell)) {
         cell_[i] = cell;
         std::vector<std::size_t> with = there;
         with.push_back(i);
@@ -119,15 +120,11 @@ class Crowner {
     }
   }
 
-  [[nodiscard]] static std::size_t corner_of(OrbitVertex v, const OrbitCell& cell) {
-    return static_cast<std::size_t>(std::find(cell.begin(), cell.end(), v) - cell.begin());
-  }
-
-  /// The corner of the top above a corner of the bottom.
-  [[nodiscard]] static std::size_t top_above(std::size_t corner) {
-    const auto& order = cells::kCornerOfPrism;
-    const auto at = std::find(order.begin(), order.begin() + 4, corner) - order.begin();
-    return order[static_cast<std::size_t>(at) + 4];
+  /// Of a hexahedron the vertex of the top above one of the bottom.
+  [[nodiscard]] static OrbitVertex top_above(OrbitVertex v, const OrbitCell& cell) {
+    std::size_t k = 0;
+    while (cell[cells::kCornerOfPrism[k]] != v) ++k;
+    return cell[cells::kCornerOfPrism[4 + k]];
   }
 
   /// Extends the involution by what takes the i-th hexahedron to its image, bottom to bottom, if
@@ -138,9 +135,8 @@ class Crowner {
     if (std::find(there.begin(), there.end(), image) == there.end()) return true;
     const OrbitCell& other = cell_[image];
     for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t corner = cells::kCornerOfPrism[k];
-      const OrbitVertex top = cell[top_above(corner)];
-      const OrbitVertex other_top = other[top_above(corner_of(image_[cell[corner]], other))];
+      const OrbitVertex top = cell[cells::kCornerOfPrism[4 + k]];
+      const OrbitVertex other_top = top_above(image_[cell[cells::kCornerOfPrism[k]]], other);
       for (const auto& [a, b] : {std::pair(top, other_top), std::pair(other_top, top)}) {
         if (image_[a] != kUnknown && image_[a] != b) return false;
         image_[a] = b;
@@ -150,16 +146,14 @@ class Crowner {
   }
 
   /// Whether the same hexahedra, up to the names of new vertices, were not there before in another
-  /// order: they are the same if the tops above all vertices are.
-  [[nodiscard]] bool is_first(std::size_t i, const std::vector<std::size_t>& there,
-                              const OrbitCell& cell) {
+  /// order: they are the same if the tops above all vertices are. Each has one such vertex, across
+  /// from the one around which they are, for itself.
+  [[nodiscard]] bool is_first(const OrbitCell& cell) {
     for (std::size_t k = 0; k < 4; ++k) {
       const OrbitVertex top = cell[cells::kCornerOfPrism[4 + k]];
       top_[cell[cells::kCornerOfPrism[k]]] = top < old_vertices() ? top : kNewTop;
     }
-    std::uint32_t places = std::uint32_t{1} << i;
-    for (const std::size_t each : there) places |= std::uint32_t{1} << each;
-    return seen_.emplace(places, top_).second;
+    return seen_.insert(top_).second;
   }
 
   void finish(const std::vector<std::size_t>& order, const Named& last) {
@@ -180,7 +174,7 @@ class Crowner {
   std::array<OrbitCell, kMostInOrbit> cell_{};
   Names image_{};
   Names top_{};  ///< above each vertex of a bottom: an old vertex, kNewTop or kUnknown
-  std::set<std::pair<std::uint32_t, Names>> seen_;
+  std::set<Names> seen_;
   std::uint16_t crowns_ = 0;
 };
 

@@ -22,7 +22,7 @@ namespace hexatlas::flips {
 /// and at most `max_quads` quads, once, in a fixed order; in between it may have kMaxFrontQuads.
 /// Of the vertices that are fixed those with degrees from 4 to kMostInOrbit are tried. Requires
 /// what for_each_glueable_orbit() requires. There are none where the involution is no half-turn
-/// with fixed vertices. Cost: some 25 to 130 microseconds for each fixed vertex, the more the
+/// with fixed vertices. Cost: some 30 to 90 microseconds for each fixed vertex, the more the
 /// higher its degree.
 void for_each_glueable_crown(const SymmetricFront& front, int max_quads,
                              const std::function<void(const GluedOrbit&)>& visit);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 
 #include "enum/core/checks.hpp"
@@ -26,6 +27,15 @@ inline Named named(const Front& front) {
   Named result{front};
   for (int v = 0; v < front.boundary.vertices(); ++v)
     result.name[static_cast<std::size_t>(v)] = static_cast<OrbitVertex>(v);
+  return result;
+}
+
+/// The vertices that an involution takes these to.
+[[nodiscard]] inline VertexSet image_of(VertexSet vertices,
+                                        const canon::Labelling& image) noexcept {
+  VertexSet result = 0;
+  for (VertexSet left = vertices; left != 0; left &= left - 1)
+    result |= bit(image[static_cast<std::size_t>(std::countr_zero(left))]);
   return result;
 }
 

@@ -38,8 +38,7 @@ class Gluer {
     for (int i = 0; i < q.quads(); ++i)
       quad[static_cast<std::size_t>(i)] = set_of(q.vertices_of(i));
     for (int i = 0; i < q.quads(); ++i) {
-      VertexSet image = 0;
-      for (const Vertex v : q.vertices_of(i)) image |= bit(from.image[v]);
+      const VertexSet image = image_of(quad[static_cast<std::size_t>(i)], from.image);
       const auto at = std::find(quad.begin(), quad.begin() + q.quads(), image);
       image_of_quad_[static_cast<std::size_t>(i)] = static_cast<complex::Quad>(at - quad.begin());
     }
